@@ -1,0 +1,10 @@
+export { type Demo, defineDemo, type Reading, type Value, type Values } from "./define.ts";
+export { boolean } from "./params/boolean.ts";
+export { choice } from "./params/choice.ts";
+export { grid } from "./params/grid.ts";
+export { list } from "./params/list.ts";
+export { net } from "./params/net.ts";
+export { number, parameterT } from "./params/number.ts";
+export { points } from "./params/points.ts";
+export { stroke } from "./params/stroke.ts";
+export { vector } from "./params/vector.ts";

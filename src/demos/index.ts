@@ -1,0 +1,6 @@
+import type { Demo } from "../demo/index.ts";
+
+/** The registry: a new demo is one file beside this one, and one line here. */
+export const demos: Readonly<Record<string, () => Promise<{ default: Demo }>>> = {
+  "de-casteljau": () => import("./de-casteljau.ts"),
+};

@@ -1,0 +1,69 @@
+import type { Box, View } from "./view.ts";
+
+export type Views = Readonly<Record<string, View>>;
+
+/** Below this width, in pixels at scale 1, the windows of a figure stand below each other. */
+export const NARROW = 560;
+
+/** Space for the numbers at an axis, and around every window. */
+const INSET = { plain: 6, axisLeft: 34, axisBottom: 24, axisTop: 10, axisRight: 14 };
+
+/** Height of the whole drawing as a share of its width. */
+export function aspect(views: Views, narrow: boolean): number {
+  return rows(views, narrow).reduce((sum, row) => sum + row.height, 0);
+}
+
+interface Row {
+  readonly height: number;
+  readonly cells: readonly { readonly id: string; readonly from: number; readonly width: number }[];
+}
+
+function rows(views: Views, narrow: boolean): Row[] {
+  const found: { height: number; cells: { id: string; from: number; width: number }[] }[] = [];
+  for (const [id, view] of Object.entries(views)) {
+    const row = found.at(-1);
+    const height = narrow ? (view.narrowHeight ?? Math.min(1, view.height * 1.4)) : view.height;
+    if (!narrow && view.beside !== undefined && row) {
+      // The cells to the left make room in proportion.
+      const rest = 1 - view.beside;
+      for (const cell of row.cells) {
+        cell.from *= rest;
+        cell.width *= rest;
+      }
+      row.cells.push({ id, from: rest, width: view.beside });
+      row.height = Math.max(row.height, height);
+    } else {
+      found.push({ height, cells: [{ id, from: 0, width: 1 }] });
+    }
+  }
+  return found;
+}
+
+/**
+ * The box of each view's plane in a drawing of the given size (pixels at scale 1). A drawing that is taller
+ * or flatter than the figure asks for shares its height in the same proportions, so that a slide is filled.
+ */
+export function layoutViews(views: Views, width: number, height: number): Readonly<Record<string, Box>> {
+  const narrow = width < NARROW;
+  const all = rows(views, narrow);
+  const total = all.reduce((sum, row) => sum + row.height, 0);
+  const boxes: Record<string, Box> = {};
+  let top = 0;
+  for (const row of all) {
+    const tall = (row.height / total) * height;
+    for (const cell of row.cells) {
+      const view = views[cell.id]!;
+      const inset = view.axes
+        ? { left: INSET.axisLeft, right: INSET.axisRight, top: INSET.axisTop, bottom: INSET.axisBottom }
+        : { left: INSET.plain, right: INSET.plain, top: INSET.plain, bottom: INSET.plain };
+      boxes[cell.id] = {
+        left: cell.from * width + inset.left,
+        top: top + inset.top,
+        width: Math.max(1, cell.width * width - inset.left - inset.right),
+        height: Math.max(1, tall - inset.top - inset.bottom),
+      };
+    }
+    top += tall;
+  }
+  return boxes;
+}
