@@ -40,7 +40,7 @@ export function checkInteger(
 }
 
 /** Demands a list of at least `minimum` finite numbers. */
-export function checkNumbers(name: string, values: readonly number[], minimum = 1): void {
+export function checkNumbers(name: string, values: ArrayLike<number>, minimum = 1): void {
   checkCount(name, values, minimum, "number");
   for (let i = 0; i < values.length; i++) {
     if (!Number.isFinite(values[i])) fail(`${name}[${i}]`, "a finite number", values[i]);
@@ -89,7 +89,7 @@ export function checkSameLength(
 }
 
 /** Demands finite numbers of which no two are equal (interpolation nodes, in any order). */
-export function checkDistinct(name: string, values: readonly number[], minimum = 1): void {
+export function checkDistinct(name: string, values: ArrayLike<number>, minimum = 1): void {
   checkNumbers(name, values, minimum);
   const seen = new Map<number, number>();
   for (let i = 0; i < values.length; i++) {
@@ -100,7 +100,7 @@ export function checkDistinct(name: string, values: readonly number[], minimum =
 }
 
 /** Demands finite numbers in strictly ascending order (abscissae of a spline, breaks). */
-export function checkAscending(name: string, values: readonly number[], minimum = 1): void {
+export function checkAscending(name: string, values: ArrayLike<number>, minimum = 1): void {
   checkNumbers(name, values, minimum);
   for (let i = 1; i < values.length; i++) {
     if (!(values[i]! > values[i - 1]!)) {
@@ -110,7 +110,7 @@ export function checkAscending(name: string, values: readonly number[], minimum 
 }
 
 /** Demands finite numbers of which none is smaller than the one before (a knot vector). */
-export function checkNonDecreasing(name: string, values: readonly number[], minimum = 1): void {
+export function checkNonDecreasing(name: string, values: ArrayLike<number>, minimum = 1): void {
   checkNumbers(name, values, minimum);
   for (let i = 1; i < values.length; i++) {
     if (values[i]! < values[i - 1]!) {
@@ -136,8 +136,8 @@ export function checkInterval(name: string, interval: readonly [number, number])
   checkAscending(name, interval);
 }
 
-function checkCount(name: string, list: readonly unknown[], minimum: number, noun: string): void {
-  if (!Array.isArray(list)) fail(name, `a list of ${noun}s`, list);
+function checkCount(name: string, list: ArrayLike<unknown>, minimum: number, noun: string): void {
+  if (!Array.isArray(list) && !ArrayBuffer.isView(list)) fail(name, `a list of ${noun}s`, list);
   if (list.length < minimum) {
     const got = list.length === 0 ? "none" : String(list.length);
     throw new RangeError(

@@ -1,3 +1,5 @@
+import { blossom } from "./blossom.ts";
+import { checkPoints } from "./check.ts";
 import { deCasteljau } from "./de-casteljau.ts";
 import type { Point } from "./point.ts";
 
@@ -17,17 +19,17 @@ export function splitBezier(controlPoints: readonly Point[], t: number): [Point[
 }
 
 /**
- * The control points of the piece over [t0, t1], which runs from p(t0) to p(t1); reversed for t0 > t1, the point
- * p(t0) as often as before for t0 = t1.
+ * The control points of the piece over [t0, t1], which runs from p(t0) to p(t1): the blossoms b[t0, …, t0, t1, …, t1].
+ *
+ * Reversed for t0 > t1, the point p(t0) throughout for t0 = t1.
  *
  * @throws RangeError as `splitBezier`.
  */
 export function bezierSegment(controlPoints: readonly Point[], t0: number, t1: number): Point[] {
-  // Split at the end farther from the other end of [0, 1], so that the second parameter stays well defined.
-  if (Math.abs(1 - t0) >= Math.abs(t1)) {
-    const right = splitBezier(controlPoints, t0)[1];
-    return t0 === 1 ? right : splitBezier(right, (t1 - t0) / (1 - t0))[0];
-  }
-  const left = splitBezier(controlPoints, t1)[0];
-  return splitBezier(left, t0 / t1)[1];
+  checkPoints("controlPoints", controlPoints);
+  const n = controlPoints.length - 1;
+  return controlPoints.map((_, i) => {
+    const ts = [...new Array<number>(n - i).fill(t0), ...new Array<number>(i).fill(t1)];
+    return blossom(controlPoints, ts);
+  });
 }
