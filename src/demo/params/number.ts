@@ -91,7 +91,7 @@ export function parameterT(options: Partial<NumberOptions> = {}): Param<number> 
     step: 0.01,
     label: { de: "Parameter t", en: "Parameter t" },
     symbol: symbol("t"),
-    animate: 6,
+    animate: 5,
     primary: true,
     ...options,
   });

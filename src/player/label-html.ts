@@ -1,0 +1,41 @@
+import type { Label } from "../scene/label.ts";
+import { formatNumber } from "../words/numbers.ts";
+import type { Lang } from "../words/words.ts";
+import { element } from "./element.ts";
+
+const SUBSCRIPTS: Record<string, string> = Object.fromEntries(
+  [..."0123456789"].map((d, i) => [d, "₀₁₂₃₄₅₆₇₈₉"[i]!]),
+);
+
+function baseOf(label: Label, lang: Lang): string {
+  return typeof label.base === "string" ? label.base : label.base[lang];
+}
+
+function argsOf(label: Label, lang: Lang): string {
+  if (!label.args) return "";
+  const parts = label.args.map((arg) => (typeof arg === "number" ? formatNumber(arg, lang) : arg));
+  return `(${parts.join(lang === "de" ? "; " : ", ")})`;
+}
+
+/** A label as plain text: c₂, p′(0,4). For names that are spoken, titles, tooltips. */
+export function labelText(label: Label, lang: Lang): string {
+  const sub = label.sub
+    ? [...label.sub].every((c) => c in SUBSCRIPTS)
+      ? [...label.sub].map((c) => SUBSCRIPTS[c]).join("")
+      : ` ${label.sub}`
+    : "";
+  const sup = label.sup ? `^${label.sup}` : "";
+  return `${baseOf(label, lang)}${"′".repeat(label.prime ?? 0)}${sub}${sup}${argsOf(label, lang)}`;
+}
+
+/** A label as set mathematics, for the rows below the picture. */
+export function labelHtml(label: Label, lang: Lang): HTMLElement {
+  const math = label.style !== "text";
+  const root = element("span", { class: math ? "math" : "" });
+  root.append(math ? element("i", {}, baseOf(label, lang)) : baseOf(label, lang));
+  if (label.prime) root.append("′".repeat(label.prime));
+  if (label.sub) root.append(element("sub", {}, label.sub));
+  if (label.sup) root.append(element("sup", {}, label.sup));
+  root.append(argsOf(label, lang));
+  return root;
+}
