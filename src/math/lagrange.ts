@@ -1,5 +1,12 @@
 import { nodeProducts, weightsInUnit } from "./barycentric.ts";
-import { checkDistinct, checkNumbers, checkPoints, checkSameLength } from "./check.ts";
+import {
+  checkDistinct,
+  checkInteger,
+  checkNumber,
+  checkNumbers,
+  checkPoints,
+  checkSameLength,
+} from "./check.ts";
 import type { Curve } from "./curve.ts";
 import { lagrangeBasisDerivative } from "./lagrange-basis.ts";
 import { combine, type Point } from "./point.ts";
@@ -38,6 +45,19 @@ export function lagrangeFunction(
   const points = values.map((value) => [value]);
   const evaluate = interpolant(nodes, points);
   return (t, r = 0) => evaluate(t, r)[0]!;
+}
+
+/**
+ * The point at t of the interpolating polynomial, or its r-th derivative. For many parameters of one polynomial make a
+ * `lagrangeCurve` once.
+ *
+ * @throws RangeError as `lagrangeCurve`, and if t is not finite or r not a whole number ≥ 0.
+ */
+export function lagrangePoint(nodes: readonly number[], points: readonly Point[], t: number, r = 0): Point {
+  checkPoints("points", points);
+  checkNumber("t", t);
+  checkInteger("r", r, 0);
+  return interpolant(nodes, points)(t, r);
 }
 
 function interpolant(nodes: readonly number[], points: readonly Point[]): (t: number, r?: number) => Point {

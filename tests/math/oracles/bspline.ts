@@ -6,7 +6,6 @@ import {
   insertKnot,
   nurbsDerivative,
   type Point,
-  rationalBezierDerivative,
 } from "../../../src/math/index.ts";
 import type { Adapter } from "../oracle.ts";
 import { toPoint, toValue, type Value } from "../scalar-or-point.ts";
@@ -38,11 +37,6 @@ export const adapter: Adapter = {
     const { breaks, segments } = bsplineToBezier(degree, knots, controlPoints.map(toPoint));
     return { breaks, segments: segments.map((s) => s.map((point) => toValue(point, controlPoints[0]!))) };
   },
-  rationalBezierEvaluate: (input: { controlPoints: Point[]; weights: number[] } & At) => ({
-    values: input.ts.map((t) =>
-      rationalBezierDerivative(input.controlPoints, input.weights, t, input.derivative),
-    ),
-  }),
   nurbsEvaluate: (input: Basis & At & { controlPoints: Point[]; weights: number[] }) => ({
     values: input.ts.map((t) => nurbsDerivative(input, t, input.derivative)),
   }),
