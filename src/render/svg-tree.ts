@@ -1,0 +1,191 @@
+import type { PathStep } from "../scene/marks.ts";
+import type { Box } from "../scene/view.ts";
+import { mapColour, NO_VALUE } from "./colour-map.ts";
+import type { Palette } from "./palette.ts";
+import { pngUrl } from "./png.ts";
+import type { Drawing, Primitive, RasterPrimitive, TextPrimitive } from "./primitives.ts";
+import { FONTS, SIZE } from "./sizes.ts";
+import { paintOf } from "./theme.ts";
+
+/** An element of an SVG as plain data: written to text, or made by createElementNS. */
+export interface SvgNode {
+  readonly tag: string;
+  readonly attributes: Readonly<Record<string, string | number>>;
+  readonly children: readonly (SvgNode | string)[];
+}
+
+export interface SvgOptions {
+  /** What is to be seen, for those who hear it. */
+  readonly title: string;
+  /**
+   * Concrete colours, for a file of its own: presentation attributes, size, paper. Without it the SVG is
+   * part of a page, takes its looks from `figureCss`, and has no size but its proportions.
+   */
+  readonly colours?: Palette;
+  /** Leaves out the paper of a file of its own. */
+  readonly transparent?: boolean;
+}
+
+type Attributes = Record<string, string | number>;
+
+/** The drawing as an SVG. */
+export function svgTree(drawing: Drawing, options: SvgOptions): SvgNode {
+  const { width, height } = drawing;
+  const { colours, title } = options;
+  const attributes: Attributes = {
+    ...(colours ? { xmlns: "http://www.w3.org/2000/svg", width: short(width), height: short(height) } : {}),
+    viewBox: `0 0 ${short(width)} ${short(height)}`,
+    role: "img",
+    "aria-label": title,
+  };
+  const children: SvgNode[] = [];
+  if (colours) {
+    children.push(node("title", {}, [title]));
+    if (!options.transparent) {
+      children.push(node("rect", { width: short(width), height: short(height), fill: colours.paper }));
+    }
+  }
+  let clip: Box | undefined;
+  let group: SvgNode[] = children;
+  for (const primitive of drawing.primitives) {
+    if (!sameBox(primitive.clip, clip)) {
+      clip = primitive.clip;
+      group = clip ? [] : children;
+      if (clip) children.push(clipped(clip, group));
+    }
+    group.push(draw(primitive, colours));
+  }
+  return node("svg", attributes, children);
+}
+
+function sameBox(a: Box | undefined, b: Box | undefined): boolean {
+  return (
+    a === b ||
+    (!!a && !!b && a.left === b.left && a.top === b.top && a.width === b.width && a.height === b.height)
+  );
+}
+
+/** An inner svg cuts at its box and needs no id, unlike a clip path. */
+function clipped({ left, top, width, height }: Box, children: SvgNode[]): SvgNode {
+  const [x, y, w, h] = [left, top, width, height].map(short) as [string, string, string, string];
+  return node(
+    "svg",
+    { x, y, width: w, height: h, viewBox: `${x} ${y} ${w} ${h}`, overflow: "hidden" },
+    children,
+  );
+}
+
+function node(tag: string, attributes: Attributes, children: readonly (SvgNode | string)[] = []): SvgNode {
+  return { tag, attributes, children };
+}
+
+function draw(primitive: Primitive, colours: Palette | undefined): SvgNode {
+  const look = looks(primitive, colours);
+  switch (primitive.kind) {
+    case "path":
+      return node("path", { ...look, d: pathData(primitive.steps) });
+    case "circle":
+      return node("circle", {
+        ...look,
+        cx: short(primitive.at[0]!),
+        cy: short(primitive.at[1]!),
+        r: short(primitive.radius),
+      });
+    case "text":
+      return text(primitive, look, colours);
+    case "raster":
+      return raster(primitive);
+    default: {
+      const unknown: never = primitive;
+      throw new RangeError(`unknown primitive: ${JSON.stringify(unknown)}`);
+    }
+  }
+}
+
+/** Classes in a page, presentation attributes in a file of its own. */
+function looks({ role, part, index, kind }: Primitive, colours: Palette | undefined): Attributes {
+  if (kind === "raster") return {};
+  if (!colours) {
+    const entry = index === undefined ? "" : ` i${((Math.trunc(index) % 10) + 10) % 10}`;
+    return { class: `r-${role} p-${part}${entry}` };
+  }
+  const paint = paintOf(role, part, index);
+  return {
+    fill: paint.fill ? colours[paint.fill] : "none",
+    ...(paint.fill && paint.fillOpacity < 1 ? { "fill-opacity": paint.fillOpacity } : {}),
+    ...(paint.stroke
+      ? {
+          stroke: colours[paint.stroke],
+          "stroke-width": paint.width,
+          "stroke-linecap": paint.dash ? "butt" : "round",
+          "stroke-linejoin": "round",
+          ...(paint.strokeOpacity < 1 ? { "stroke-opacity": paint.strokeOpacity } : {}),
+          ...(paint.dash ? { "stroke-dasharray": paint.dash.join(" ") } : {}),
+          ...(kind === "text" ? { "paint-order": "stroke" } : {}),
+        }
+      : {}),
+  };
+}
+
+/** Path data with two decimals; a letter is not repeated, and a minus needs no space before it. */
+function pathData(steps: readonly PathStep[]): string {
+  return steps
+    .map(
+      ([letter, ...points]) =>
+        letter + (points as number[][]).map((p) => `${short(p[0]!)} ${short(p[1]!)}`).join(" "),
+    )
+    .join("");
+}
+
+function text({ at, anchor, runs }: TextPrimitive, look: Attributes, colours: Palette | undefined): SvgNode {
+  const place: Attributes = anchor === "start" ? {} : { "text-anchor": anchor };
+  const spans = runs.map((run) => {
+    const font: Attributes = colours
+      ? {
+          "font-family": FONTS[run.font],
+          "font-size": short(run.size),
+          ...(run.font === "math" ? { "font-style": "italic" } : {}),
+        }
+      : { class: `f-${run.font}`, ...(run.size === SIZE.label ? {} : { "font-size": short(run.size) }) };
+    return node("tspan", { ...font, x: short(at[0]! + run.dx), y: short(at[1]! + run.dy) }, [run.text]);
+  });
+  return node("text", { ...look, ...place }, spans);
+}
+
+/** Few cells as rectangles, which stay sharp everywhere; many as a picture. */
+const FEW = 100;
+
+function raster({ box, columns, rows, levels, colours }: RasterPrimitive): SvgNode {
+  const { left, top, width, height } = box;
+  if (columns * rows > FEW) {
+    return node("image", {
+      x: short(left),
+      y: short(top),
+      width: short(width),
+      height: short(height),
+      preserveAspectRatio: "none",
+      style: "image-rendering:pixelated",
+      href: pngUrl(columns, rows, levels, colours),
+    });
+  }
+  const cells: SvgNode[] = [];
+  levels.forEach((level, i) => {
+    if (level === NO_VALUE) return;
+    cells.push(
+      node("rect", {
+        x: short(left + ((i % columns) * width) / columns),
+        y: short(top + (Math.floor(i / columns) * height) / rows),
+        width: short(width / columns),
+        height: short(height / rows),
+        fill: `rgb(${mapColour(colours, level).join(",")})`,
+      }),
+    );
+  });
+  return node("g", { "shape-rendering": "crispEdges" }, cells);
+}
+
+/** A number with two decimals, without needless zeros. */
+function short(value: number): string {
+  const rounded = Math.round(value * 100) / 100;
+  return Object.is(rounded, -0) ? "0" : String(rounded);
+}
