@@ -26,8 +26,9 @@ export function findRoot(f: (t: number) => number, a: number, b: number, accurac
     if (Math.abs(b - a) <= accuracy || mean === a || mean === b) return mean;
     let t = a - (fa / (fb - fa)) * (b - a);
     if (step % 3 === 0) {
-      if (Math.abs(b - a) > width / 2) t = mean;
-      width = Math.abs(b - a);
+      const late = Math.abs(b - a) > width / 2;
+      if (late) t = mean;
+      width = Math.abs(b - a) / (late ? 2 : 1);
     }
     if (!(t > Math.min(a, b) && t < Math.max(a, b))) t = mean;
     const ft = f(t);
