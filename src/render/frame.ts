@@ -14,37 +14,31 @@ const SPACING = { grid: 44, x: 52, y: 30 };
 /** The grid and the axes of a window, with numbers as the reader writes them. */
 export function frame(view: View, transform: ViewTransform, lang: Lang): Primitive[] {
   const list: Primitive[] = [];
-  if (view.grid) list.push(...gridLines(view, transform));
+  if (view.grid) list.push(grid(view, transform));
   if (view.axes) list.push(...axes(view.axes, transform, lang));
   return list;
 }
 
-function line(role: Role, x0: number, y0: number, x1: number, y1: number): Primitive {
-  const steps = [["M", [x0, y0]] as const, ["L", [x1, y1]] as const];
+function lines(role: Role, ends: readonly (readonly [number, number, number, number])[]): Primitive {
+  const steps = ends.flatMap(([x0, y0, x1, y1]) => [["M", [x0, y0]] as const, ["L", [x1, y1]] as const]);
   return { kind: "path", role, part: "line", steps };
 }
 
 /** The middle of a pixel, where a line one pixel wide is sharp. */
 const sharp = (x: number) => Math.floor(x) + 0.5;
 
-function gridLines(view: View, { box, x, y, scale, toPixel }: ViewTransform): Primitive[] {
+function grid(view: View, { box, x, y, scale, toPixel }: ViewTransform): Primitive {
   const right = box.left + box.width;
   const bottom = box.top + box.height;
-  let [across, up] = [ticks(x, scale[0]!, SPACING.grid), ticks(y, scale[1]!, SPACING.grid)];
-  if (view.axes) {
-    across = ticks(x, scale[0]!, SPACING.x);
-    up = ticks(y, scale[1]!, SPACING.y);
-  }
-  return [
-    ...across.values.map((value) => {
-      const at = sharp(toPixel([value, 0])[0]);
-      return line("grid", at, box.top, at, bottom);
-    }),
-    ...up.values.map((value) => {
-      const at = sharp(toPixel([0, value])[1]);
-      return line("grid", box.left, at, right, at);
-    }),
-  ];
+  // With numbers, every line has one.
+  const across = ticks(x, scale[0]!, view.axes ? SPACING.x : SPACING.grid);
+  const up = ticks(y, scale[1]!, view.axes ? SPACING.y : SPACING.grid);
+  const upright = across.values.map((value) => sharp(toPixel([value, 0])[0]));
+  const level = up.values.map((value) => sharp(toPixel([0, value])[1]));
+  return lines("grid", [
+    ...upright.map((at) => [at, box.top, at, bottom] as const),
+    ...level.map((at) => [box.left, at, right, at] as const),
+  ]);
 }
 
 /**
@@ -64,7 +58,7 @@ function axes(
   const list: Primitive[] = [];
   if (names.x || !names.y) {
     const { values, digits } = ticks(x, scale[0]!, SPACING.x);
-    list.push(line("axis", box.left, axisY, right, axisY));
+    list.push(lines("axis", [[box.left, axisY, right, axisY]]));
     for (const value of values) {
       const at = [toPixel([value, 0])[0], bottom + 8 + SIZE.axisNumber * 0.72];
       list.push(text(at, "middle", formatNumber(value, lang, digits)));
@@ -73,7 +67,7 @@ function axes(
   }
   if (names.y || !names.x) {
     const { values, digits } = ticks(y, scale[1]!, SPACING.y);
-    list.push(line("axis", axisX, box.top, axisX, bottom));
+    list.push(lines("axis", [[axisX, box.top, axisX, bottom]]));
     for (const value of values) {
       const at = [box.left - 7, toPixel([0, value])[1] + SIZE.axisNumber * 0.34];
       list.push(text(at, "end", formatNumber(value, lang, digits)));

@@ -14,9 +14,9 @@ import { arrow } from "./arrow.ts";
 import { levelOf } from "./colour-map.ts";
 import { addLine, type Obstacles } from "./obstacles.ts";
 import type { Primitive } from "./primitives.ts";
+import type { Part } from "./roles.ts";
 import { shapeOf, shapeSteps } from "./shapes.ts";
 import { SIZE } from "./sizes.ts";
-import type { Part } from "./theme.ts";
 
 /** The sheet on which a window's marks are drawn. */
 export interface Sheet {

@@ -1,7 +1,7 @@
 import type { PathStep, Role, XY } from "../scene/marks.ts";
 import type { Box, ViewTransform } from "../scene/view.ts";
+import type { Part } from "./roles.ts";
 import type { Font } from "./sizes.ts";
-import type { Part } from "./theme.ts";
 
 interface PrimitiveBase {
   readonly role: Role;

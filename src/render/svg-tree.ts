@@ -1,11 +1,11 @@
 import type { PathStep } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
 import { mapColour, NO_VALUE } from "./colour-map.ts";
+import { paintOf } from "./paint.ts";
 import type { Palette } from "./palette.ts";
 import { pngUrl } from "./png.ts";
 import type { Drawing, Primitive, RasterPrimitive, TextPrimitive } from "./primitives.ts";
 import { FONTS, SIZE } from "./sizes.ts";
-import { paintOf } from "./theme.ts";
 
 /** An element of an SVG as plain data: written to text, or made by createElementNS. */
 export interface SvgNode {

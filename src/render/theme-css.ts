@@ -1,6 +1,6 @@
 import { INDEX_COUNT, type Palette, palettes } from "./palette.ts";
+import { PARTS, type PartStyle, ROLES } from "./roles.ts";
 import { FONTS, SIZE } from "./sizes.ts";
-import { PARTS, type PartStyle, ROLES } from "./theme.ts";
 
 function properties(palette: Palette): string {
   return Object.entries(palette)

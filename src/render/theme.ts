@@ -1,116 +1,13 @@
-import type { Role } from "../scene/marks.ts";
-import { indexToken, type Token } from "./palette.ts";
-
-export { forcedPalette, type Palette, palettes, type Theme, type Token } from "./palette.ts";
+// The face of the theme: colours, looks of roles, and both as style sheets.
+export { type Paint, paintOf } from "./paint.ts";
+export {
+  forcedPalette,
+  INDEX_COUNT,
+  indexToken,
+  type Palette,
+  palettes,
+  type Theme,
+  type Token,
+} from "./palette.ts";
+export { PARTS, type Part, ROLES, type RoleStyle } from "./roles.ts";
 export { figureCss, themeCss } from "./theme-css.ts";
-
-/** How the marks of a role look. A mark with an index takes its index colour instead of the token. */
-export interface RoleStyle {
-  readonly token: Token;
-  /** Colour of lettering, where it is not that of the lines. */
-  readonly text?: Token;
-  /** Width of lines, in pixels at scale 1. */
-  readonly width: number;
-  readonly dash?: readonly number[];
-  /** Opacity of regions. */
-  readonly fill: number;
-}
-
-/** The one table that says what a role looks like. */
-export const ROLES: Readonly<Record<Role, RoleStyle>> = {
-  curve: { token: "curve", width: 2.5, fill: 0.1 },
-  "curve-rest": { token: "rest", text: "soft", width: 2, fill: 0.06 },
-  "control-polygon": { token: "soft", width: 1.25, fill: 0.06 },
-  handle: { token: "lath", width: 1.75, fill: 0.14 },
-  derived: { token: "lath", width: 1.25, fill: 0.1 },
-  tangent: { token: "lath", width: 1.75, fill: 0.1 },
-  hull: { token: "ink", text: "soft", width: 1, fill: 0.05 },
-  weight: { token: "lath", text: "paper", width: 1.5, fill: 0.9 },
-  ghost: { token: "soft", width: 1.5, dash: [5, 4], fill: 0.05 },
-  guide: { token: "soft", width: 1, dash: [2, 3], fill: 0.05 },
-  reference: { token: "ink", width: 1.25, dash: [7, 4], fill: 0.05 },
-  good: { token: "good", width: 2, fill: 0.14 },
-  bad: { token: "bad", width: 2, fill: 0.14 },
-  grid: { token: "grid", text: "soft", width: 1, fill: 0.5 },
-  axis: { token: "soft", width: 1, fill: 0.2 },
-  note: { token: "ink", width: 1.25, fill: 0.06 },
-};
-
-/** `own`: the colour of the mark; `role`: as the table of roles says. */
-export interface PartStyle {
-  readonly fill?: "own" | "text" | "paper";
-  readonly fillOpacity?: number | "role";
-  readonly stroke?: "own" | "paper";
-  readonly width?: number | "role";
-  readonly opacity?: number;
-  readonly dash?: "role";
-}
-
-/** What a primitive is to its mark. Every mark is drawn from these few parts. */
-export const PARTS = {
-  /** A line of the role. */
-  line: { stroke: "own", width: "role", dash: "role" },
-  /** A region of the role, seen through. */
-  area: { fill: "own", fillOpacity: "role" },
-  /** Something full: heads of arrows. */
-  solid: { fill: "own" },
-  /** A full point, cut out of the lines below it. */
-  point: { fill: "own", stroke: "paper", width: 1.5 },
-  /** A hollow point. */
-  hollow: { fill: "paper", stroke: "own", width: 1.5 },
-  /** The ring of a handle. */
-  ring: { fill: "paper", stroke: "own", width: 1.75 },
-  /** The disc of a weight, and the outline of a negative one. */
-  disc: { fill: "own", fillOpacity: 0.17 },
-  outline: { stroke: "own", width: 1.5 },
-  /** The light around a mark that is pointed at: below lines, below points. */
-  glow: { stroke: "own", width: 9, opacity: 0.28 },
-  shine: { fill: "own", fillOpacity: 0.28 },
-  /** Lettering, with a rim of paper so that lines do not run into it. */
-  text: { fill: "text", stroke: "paper", width: 3.5 },
-  /** Lettering on a filled region or at an axis. */
-  plain: { fill: "text" },
-} as const satisfies Readonly<Record<string, PartStyle>>;
-
-export type Part = keyof typeof PARTS;
-
-/** How a primitive is painted, in tokens of the palette. */
-export interface Paint {
-  readonly fill?: Token;
-  readonly fillOpacity: number;
-  readonly stroke?: Token;
-  readonly strokeOpacity: number;
-  readonly width: number;
-  readonly dash?: readonly number[];
-}
-
-const found = new Map<string, Paint>();
-
-/** The paint of a part of a mark with the given role and index. */
-export function paintOf(role: Role, part: Part, index?: number): Paint {
-  const id = `${role} ${part} ${index}`;
-  let paint = found.get(id);
-  if (!paint) {
-    paint = resolve(ROLES[role], PARTS[part], index);
-    found.set(id, paint);
-  }
-  return paint;
-}
-
-function resolve(role: RoleStyle, part: PartStyle, index: number | undefined): Paint {
-  const token = (which: "own" | "text" | "paper"): Token => {
-    if (which === "paper") return "paper";
-    // Lettering on the filled regions of weights stays paper, whatever their index.
-    if (which === "text" && (index === undefined || role.text === "paper")) return role.text ?? role.token;
-    return index === undefined ? role.token : indexToken(index);
-  };
-  const dash = part.dash === "role" ? role.dash : undefined;
-  return {
-    ...(part.fill ? { fill: token(part.fill) } : {}),
-    fillOpacity: part.fillOpacity === "role" ? role.fill : (part.fillOpacity ?? 1),
-    ...(part.stroke ? { stroke: token(part.stroke) } : {}),
-    strokeOpacity: part.opacity ?? 1,
-    width: part.width === "role" ? role.width : (part.width ?? 0),
-    ...(dash ? { dash } : {}),
-  };
-}

@@ -1,9 +1,9 @@
 import type { PathStep } from "../../scene/marks.ts";
 import type { Box } from "../../scene/view.ts";
+import { type Paint, paintOf } from "../paint.ts";
 import type { Palette } from "../palette.ts";
 import type { Drawing, Primitive, TextPrimitive } from "../primitives.ts";
 import { FONTS } from "../sizes.ts";
-import { type Paint, paintOf } from "../theme.ts";
 import { rasterPicture } from "./raster-picture.ts";
 
 type Context = CanvasRenderingContext2D;
