@@ -36,6 +36,10 @@ export function labelHtml(label: Label, lang: Lang): HTMLElement {
   if (label.prime) root.append("′".repeat(label.prime));
   if (label.sub) root.append(element("sub", {}, label.sub));
   if (label.sup) root.append(element("sup", {}, label.sup));
-  root.append(argsOf(label, lang));
+  const args = argsOf(label, lang);
+  // Letters among the arguments are variables: p(t).
+  for (const part of args.split(/([a-z])/i)) {
+    if (part !== "") root.append(math && /^[a-z]$/i.test(part) ? element("i", {}, part) : part);
+  }
   return root;
 }
