@@ -25,7 +25,7 @@ export function printTwin(
       height: WIDTH * figureBox(demo).wide,
       lang,
     });
-    const picture = svgDom(svgTree(drawing, { label: figure.description[lang] }));
+    const picture = svgDom(svgTree(drawing, { title: figure.description[lang] }), document);
     const old = host.querySelector(":scope > svg");
     if (old) old.replaceWith(picture);
     else host.append(picture);
