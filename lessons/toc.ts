@@ -1,0 +1,35 @@
+import type { Words } from "../src/words/words.ts";
+
+/** A part of the course: its lessons by id, which is the folder's name and the place in every address. */
+export interface Part {
+  readonly title: Words;
+  readonly lessons: readonly string[];
+}
+
+/** The order of the course. Only lessons whose folder exists are shown; reordering breaks no address. */
+export const parts: readonly Part[] = [
+  {
+    title: { de: "Von Werten zu Kurven", en: "From values to curves" },
+    lessons: ["interpolation", "representations", "parameter", "basis-functions"],
+  },
+  {
+    title: { de: "Ein Polynom durch alle Punkte", en: "One polynomial through all points" },
+    lessons: ["lagrange", "runge"],
+  },
+  {
+    title: { de: "Kontrollpunkte und Tangenten", en: "Control points and tangents" },
+    lessons: ["bezier", "hermite"],
+  },
+  {
+    title: { de: "Stück an Stück", en: "Piece by piece" },
+    lessons: ["continuity", "splines", "cubic-splines", "parabolic-blending"],
+  },
+  {
+    title: { de: "Eine Formel für alle", en: "One formula for all" },
+    lessons: ["matrix-form", "b-splines"],
+  },
+  { title: { de: "Flächen", en: "Surfaces" }, lessons: ["surfaces"] },
+];
+
+/** The live figure of the front page, in the notation of state links, and the lesson that explains it. */
+export const hero = { demo: "de-casteljau", query: "", lesson: "bezier" };

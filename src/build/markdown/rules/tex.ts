@@ -1,0 +1,57 @@
+import { tex as texPlugin } from "@mdit/plugin-tex";
+import type MarkdownIt from "markdown-it";
+import type Token from "markdown-it/lib/token.mjs";
+import { formula } from "../../templates/formula.ts";
+import { type LessonEnv, lineOf, report } from "../env.ts";
+import { typeset } from "../typeset.ts";
+
+/** `$…$` and `$$…$$`, set by KaTeX while the lesson is built; a formula that fails is a problem with its line. */
+export function tex(md: MarkdownIt): void {
+  md.use(texPlugin, { delimiters: "dollars", render: () => "" });
+  md.renderer.rules.math_inline = (tokens, i, _options, env: LessonEnv) => set(tokens[i]!, false, env);
+  md.renderer.rules.math_block = (tokens, i, _options, env: LessonEnv) => {
+    const html = set(tokens[i]!, true, env);
+    return `${formula({ lang: env.lang, id: null, html, words: "" })}\n`;
+  };
+  // Before "text_join": until then a "\\$" of the author's is told apart from one that was left over.
+  md.core.ruler.before("text_join", "stray_tex", (state) => {
+    for (const token of state.tokens) checkStray(token.children ?? [], state.env);
+  });
+}
+
+function set(token: Token, display: boolean, env: LessonEnv): string {
+  const result = typeset(token.content, display, env.lang);
+  if (display) checkEnd(token, env);
+  if (result.ok) return result.html;
+  // What follows "$$" on its own line begins on the next one.
+  const below = display && /\$\$\s*$/.test(env.source[lineOf(token) - 1] ?? "") ? 1 : 0;
+  const line = lineOf(token) + (token.content.includes("\n") ? below : 0) + result.line;
+  report(env, line, `TeX: ${result.message}`, `mend the formula: ${shorten(token.content)}`);
+  return "";
+}
+
+/** The parser takes everything up to the end of the lesson for a formula that is not closed. */
+function checkEnd(token: Token, env: LessonEnv): void {
+  const last = env.source[(token.map?.[1] ?? 0) - 1] ?? "";
+  if (!/\$\$\s*$/.test(last)) {
+    report(env, lineOf(token), 'this "$$" is not closed', 'end the formula with "$$" at the end of a line');
+  }
+}
+
+function shorten(content: string): string {
+  const text = content.replace(/\s+/g, " ").trim();
+  return text.length > 70 ? `${text.slice(0, 69)}…` : text;
+}
+
+/** A formula whose end was not found, or display signs within a line, stay in the text as they are. */
+function checkStray(children: readonly Token[], env: LessonEnv): void {
+  for (const child of children) {
+    if (child.type !== "text" || !child.content.includes("$")) continue;
+    report(
+      env,
+      lineOf(child),
+      `a "$" that belongs to no formula: ${shorten(child.content)}`,
+      'close the formula in the same paragraph, with no space before its last "$" and no digit after it; put "$$" on lines of their own; write "\\$" for the sign itself',
+    );
+  }
+}

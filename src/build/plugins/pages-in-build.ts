@@ -1,0 +1,65 @@
+import type { Plugin, Rolldown } from "vite";
+import { type Assets, ENTRIES, type PageAssets } from "../assets.ts";
+import { problemsText } from "../problem.ts";
+import type { Site } from "../site.ts";
+import { buildWorkshop, type Workshop } from "../workshop.ts";
+
+/** Writes the pages of the site into the bundle. Problems of the lessons stop the build before anything is bundled. */
+export function pagesInBuild(): Plugin {
+  let root = "";
+  let workshop: Workshop | null = null;
+  let site: Site | null = null;
+  return {
+    name: "straklatte:pages",
+    apply: "build",
+    enforce: "post",
+    config: () => ({
+      build: {
+        rolldownOptions: {
+          input: { ...ENTRIES },
+          output: {
+            entryFileNames: ({ name }) => (name === "embed-js" ? "embed.js" : "assets/[name]-[hash].js"),
+          },
+        },
+      },
+    }),
+    configResolved(config) {
+      root = config.root;
+    },
+    async buildStart() {
+      workshop = await buildWorkshop(root);
+      const { openSite } = await workshop.load<typeof import("../site.ts")>("/src/build/site.ts");
+      site = await openSite({ root, policy: true, siteUrl: siteUrl() });
+      if (site.problems.length > 0) this.error(problemsText(site.problems));
+    },
+    async generateBundle(_, bundle) {
+      const assets: Assets = { page: assetsOf(bundle, "page"), embed: assetsOf(bundle, "embed") };
+      for (const page of site!.pages) {
+        const source = site!.render(page, assets);
+        this.emitFile({ type: "asset", fileName: `${page.path}index.html`, source });
+      }
+    },
+    async closeBundle() {
+      await workshop?.close();
+    },
+  };
+}
+
+/** `SITE_URL` with one slash at its end; null if it is not set. */
+function siteUrl(): string | null {
+  const given = process.env.SITE_URL;
+  if (!given) return null;
+  if (!URL.canParse(given))
+    throw new Error(`SITE_URL is no address: ${given}; write https://example.org/folder/`);
+  return `${given.replace(/\/+$/, "")}/`;
+}
+
+/** Script and style sheets of an entry, with those of what it imports. */
+function assetsOf(bundle: Rolldown.OutputBundle, name: string): PageAssets {
+  const chunks = Object.values(bundle).filter((one) => one.type === "chunk");
+  const entry = chunks.find((chunk) => chunk.isEntry && chunk.name === name);
+  if (!entry) throw new Error(`the bundle has no entry "${name}"`);
+  const needed = [entry, ...chunks.filter((chunk) => entry.imports.includes(chunk.fileName))];
+  const styles = needed.flatMap((chunk) => [...(chunk.viteMetadata?.importedCss ?? [])]);
+  return { styles: [...new Set(styles)], scripts: [entry.fileName] };
+}
