@@ -25,7 +25,11 @@ export function arclength(
   const share = accuracy / (stops.length - 1);
   let length = 0;
   for (let i = 1; i < stops.length; i++) {
-    length += integrate((t) => norm(curve.derivative(t)), stops[i - 1]!, stops[i]!, share);
+    const [start, end] = [stops[i - 1]!, stops[i]!];
+    // At its end, a break, a piece has the derivative from the left.
+    const last = end - Math.max(1e-14 * (end - start), Number.EPSILON * Math.abs(end));
+    const speed = (t: number): number => norm(curve.derivative(t < end ? t : last));
+    length += integrate(speed, start, end, share);
   }
   return length;
 }
@@ -44,7 +48,7 @@ export function parameterAtLength(curve: Curve, length: number, accuracy: number
   checkPositive("accuracy", accuracy);
   let [low, high] = curve.domain;
   if (length <= 0) return low;
-  if (length >= arclength(curve, accuracy / 4)) return high;
+  if (length >= arclength(curve, accuracy / 4) - accuracy / 4) return high;
   let t = low + (high - low) / 2;
   let before = 0; // the length up to `low`
   // Newton's method for s(t) = length, held in a bracket that bisection shrinks when Newton leaves it.

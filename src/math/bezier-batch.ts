@@ -1,7 +1,10 @@
+import { bernstein } from "./bernstein.ts";
+
 /*
  * Bézier curves on flat coordinates, for everything drawn or tessellated. Control point i has its coordinates at
  * i·d … i·d + d − 1 (d = dimension); points are written in the same way. These functions allocate nothing and check
- * nothing: data come from code that has checked them. The readable form of the same is `bezierPoint`.
+ * nothing: data come from code that has checked them; coordinates up to 1e280 cannot overflow. The readable form of the
+ * same is `bezierPoint`.
  */
 
 /** A list of numbers that can be written: an array or a Float64Array or Float32Array. */
@@ -26,7 +29,8 @@ export function fromFlat(flat: ArrayLike<number>, dimension: number): number[][]
  * Writes the point of a Bézier curve at t to `out`, from index `at` on.
  *
  * Any degree n ≥ 0 and any dimension; t in [0, 1] (outside, high degrees lose digits). Cubics use the four Bernstein
- * polynomials, other degrees Horner's scheme in t/(1 − t), multiplied out: linear in n.
+ * polynomials, other degrees up to 60 Horner's scheme in t/(1 − t), multiplied out: linear in n. Beyond, where its
+ * terms grow too large, the Bernstein polynomials are summed: quadratic in n.
  */
 export function bezierPointInto(
   out: Out,
@@ -52,11 +56,20 @@ export function bezierPointInto(
     return;
   }
   const n = end / dimension;
+  if (n > 60) {
+    for (let axis = 0; axis < dimension; axis++) out[at + axis] = 0;
+    for (let i = 0; i <= n; i++) {
+      const weight = bernstein(n, i, t);
+      for (let axis = 0; axis < dimension; axis++)
+        out[at + axis]! += weight * controlPoints[i * dimension + axis]!;
+    }
+    return;
+  }
   for (let axis = 0; axis < dimension; axis++) {
     let weight = 1; // (n over i) · tⁱ
     let sum = controlPoints[axis]!;
     for (let i = 1; i <= n; i++) {
-      weight *= (t * (n - i + 1)) / i;
+      weight = (weight * t * (n - i + 1)) / i;
       sum = sum * s + weight * controlPoints[i * dimension + axis]!;
     }
     out[at + axis] = sum;

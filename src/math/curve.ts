@@ -1,4 +1,5 @@
-import { bezierPoint, hodograph } from "./bezier.ts";
+import { hodograph } from "./bezier.ts";
+import { bezierPointInto, fromFlat, toFlat } from "./bezier-batch.ts";
 import { checkInteger, checkInterval, checkPoints, checkPositive, checkWeights } from "./check.ts";
 import { norm, type Point, scale } from "./point.ts";
 import { rationalBezierDerivative } from "./rational-bezier.ts";
@@ -42,17 +43,22 @@ export function bezierCurve(
   checkInterval("domain", domain);
   const [a, b] = domain;
   const highest = controlPoints.length; // this derivative and all above vanish
-  const hodographs = Array.from({ length: highest + 1 }, (_, r) => hodograph(controlPoints, r));
+  const hodographs = Array.from({ length: highest + 1 }, (_, r) =>
+    toFlat(hodograph(controlPoints, r).map((vector) => scale(vector, (b - a) ** -r))),
+  );
   const local = (t: number): number => (t - a) / (b - a);
+  const derivative = (t: number, r = 1): Point => {
+    checkInteger("r", r, 0);
+    const vector = new Array<number>(dimension);
+    bezierPointInto(vector, hodographs[Math.min(r, highest)]!, dimension, local(t));
+    return vector;
+  };
   return {
     dimension,
     domain,
-    point: (t) => bezierPoint(controlPoints, local(t)),
-    derivative: (t, r = 1) => {
-      checkInteger("r", r, 0);
-      return scale(bezierPoint(hodographs[Math.min(r, highest)]!, local(t)), (b - a) ** -r);
-    },
-    speed: Math.max(...hodographs[1]!.map(norm)) / (b - a),
+    point: (t) => derivative(t, 0),
+    derivative,
+    speed: Math.max(...fromFlat(hodographs[1]!, dimension).map(norm)),
     split: (t) => {
       const [left, right] = splitBezier(controlPoints, local(t));
       return [bezierCurve(left, [a, t]), bezierCurve(right, [t, b])];
