@@ -122,20 +122,35 @@ export function hermiteCurve(t0: number, t1: number, start: readonly Point[], en
 }
 
 /**
- * The Hermite polynomials of order m on [t0, t1] at t, or their r-th derivatives: `values[i][k]` is H_{i,k}^{(r)}(t).
+ * All Hermite polynomials of order m on [t0, t1] as the coordinates of one curve, H_{0,0} … H_{0,m}, H_{1,0} … H_{1,m}:
+ * the solution of the Hermite problem whose data are the unit vectors.
+ *
+ * @throws RangeError if not t0 < t1 or m is not a whole number ≥ 0.
+ */
+export function hermiteBasisCurve(m: number, t0: number, t1: number): Curve {
+  checkInteger("m", m, 0);
+  const count = 2 * m + 2;
+  const unit = (k: number): Point => Array.from({ length: count }, (_, axis) => (axis === k ? 1 : 0));
+  const orders = Array.from({ length: m + 1 }, (_, k) => k);
+  return hermiteCurve(
+    t0,
+    t1,
+    orders.map((k) => unit(k)),
+    orders.map((k) => unit(m + 1 + k)),
+  );
+}
+
+/**
+ * The Hermite polynomials of order m on [t0, t1] at t, or their r-th derivatives: `values[i][k]` is H_{i,k}^{(r)}(t). For
+ * many parameters make a `hermiteBasisCurve` once.
  *
  * H_{i,k}(t) = h^k · H_{i,k}((t − t0)/h) with the polynomials of [0, 1] on the right, h = t1 − t0.
  *
  * @throws RangeError if not t0 < t1, m or r is not a whole number ≥ 0 or t is not finite.
  */
-export function hermiteBasis(m: number, t0: number, t1: number, t: number, r = 0): [number[], number[]] {
-  checkInteger("m", m, 0);
+export function hermiteBasis(m: number, t0: number, t1: number, t: number, r = 0): [Point, Point] {
   checkInteger("r", r, 0);
   checkNumber("t", t);
-  const unit = (k: number) => Array.from({ length: m + 1 }, (_, j) => [j === k ? 1 : 0]);
-  const none = unit(-1);
-  const orders = Array.from({ length: m + 1 }, (_, k) => k);
-  const value = (start: readonly Point[], end: readonly Point[]) =>
-    hermiteCurve(t0, t1, start, end).derivative(t, r)[0]!;
-  return [orders.map((k) => value(unit(k), none)), orders.map((k) => value(none, unit(k)))];
+  const values = hermiteBasisCurve(m, t0, t1).derivative(t, r);
+  return [values.slice(0, m + 1), values.slice(m + 1)];
 }

@@ -73,9 +73,10 @@ function speedOf(nodes: readonly number[], points: readonly Point[], tangents: r
   let longest = 0;
   for (let i = 0; i + 1 < nodes.length; i++) {
     const h = nodes[i + 1]! - nodes[i]!;
-    for (const side of [tangents[i]!, tangents[i + 1]!]) longest = Math.max(longest, norm(side));
-    const [, c1, c2] = segmentToBezier({ nodes, points, tangents }, i);
-    longest = Math.max(longest, (3 * norm(sub(c2!, c1!))) / h);
+    const [m0, m1] = [tangents[i]!, tangents[i + 1]!];
+    // The inner leg of the Bézier polygon, as a derivative: 3·(c₂ − c₁)/h = 3·(p₁ − p₀)/h − m₀ − m₁.
+    const inner = points[i]!.map((x, axis) => (3 * (points[i + 1]![axis]! - x)) / h - m0[axis]! - m1[axis]!);
+    longest = Math.max(longest, norm(m0), norm(inner), norm(m1));
   }
   return longest;
 }

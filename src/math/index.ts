@@ -56,6 +56,7 @@ export * from "./parabolic-blending.ts";
 export * from "./parallel.ts";
 export * from "./parametrize.ts";
 export * from "./patch-batch.ts";
+export * from "./patch-tessellator.ts";
 export * from "./piecewise-linear.ts";
 export * from "./point.ts";
 export * from "./rational-bezier.ts";

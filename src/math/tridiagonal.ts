@@ -1,4 +1,4 @@
-import { type Point, scale, sub } from "./point.ts";
+import { type Point, scale } from "./point.ts";
 
 /**
  * A system of n linear equations, each of which knows only its own unknown and that unknown's two neighbours:
@@ -21,20 +21,22 @@ export type TridiagonalSystem = {
  * Stable for diagonally dominant systems, such as those of cubic splines; the corners below[0] and above[n−1] are not
  * looked at (see `solveCyclic`). A vanishing pivot gives no finite result.
  */
+// #region tridiagonal-solve
 export function solveTridiagonal({ below, diagonal, above, right }: TridiagonalSystem): Point[] {
   const d = [...diagonal];
   const x = [...right];
   for (let r = 1; r < x.length; r++) {
     const factor = below[r]! / d[r - 1]!;
     d[r] = d[r]! - factor * above[r - 1]!;
-    x[r] = sub(x[r]!, scale(x[r - 1]!, factor));
+    x[r] = x[r]!.map((value, axis) => value - factor * x[r - 1]![axis]!);
   }
   for (let r = x.length - 1; r >= 0; r--) {
-    if (r < x.length - 1) x[r] = sub(x[r]!, scale(x[r + 1]!, above[r]!));
-    x[r] = scale(x[r]!, 1 / d[r]!);
+    const next = x[r + 1];
+    x[r] = x[r]!.map((value, axis) => (value - (next ? above[r]! * next[axis]! : 0)) / d[r]!);
   }
   return x;
 }
+// #endregion
 
 /**
  * Solves a cyclic tridiagonal system, corners included, in time linear in n.
