@@ -4,8 +4,8 @@ const WAIT = 450;
 let region: HTMLElement | undefined;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
-/** Says a text politely, once things have come to rest. One region serves the whole page. */
-export function announce(text: string, lang: string): void {
+/** Says politely how things are, once they have come to rest. One region serves the whole page. */
+export function announce(text: () => string, lang: string): void {
   if (!region) {
     region = element("div", { role: "status", "aria-live": "polite" });
     Object.assign(region.style, {
@@ -22,6 +22,6 @@ export function announce(text: string, lang: string): void {
   clearTimeout(timer);
   timer = setTimeout(() => {
     target.lang = lang;
-    target.textContent = text;
+    target.textContent = text();
   }, WAIT);
 }

@@ -81,7 +81,7 @@ export class CurveDemo extends HTMLElement {
     this.#whenAwake((player, demo) => {
       const { patch, problems } = checkValues(demo, Object(partial));
       player.report(problems);
-      player.go(patch, { source: "program", ...options });
+      player.mover.go(patch, { source: "program", ...options });
     });
   }
 
@@ -90,7 +90,7 @@ export class CurveDemo extends HTMLElement {
     this.#whenAwake((player, demo) => {
       const { patch, problems } = this.#readWithNames(demo, query);
       player.report(problems);
-      player.go(patch, { source: "user", ...options });
+      player.mover.go(patch, { source: "user", ...options });
     });
   }
 
@@ -115,7 +115,7 @@ export class CurveDemo extends HTMLElement {
   }
 
   play(on = true): void {
-    this.#whenAwake((player) => player.play(on));
+    this.#whenAwake((player) => player.mover.play(on));
   }
 
   /** Lights up the marks of these names, as pointing at their symbols does. */
@@ -185,7 +185,7 @@ export class CurveDemo extends HTMLElement {
     if (CurveDemo.embedded) this.#embed ??= connectEmbed(this, demo);
     if (!keep) {
       if (this.#isOn("autoplay") && !matchMedia("(prefers-reduced-motion: reduce)").matches)
-        player.play(true);
+        player.mover.play(true);
       this.setAttribute("data-ready", "");
       this.#embed?.ready();
       this.dispatchEvent(new CustomEvent("curve-demo-ready", { bubbles: true }));
@@ -213,7 +213,7 @@ export class CurveDemo extends HTMLElement {
 
   /** Nothing moves where nobody can see it. */
   #hold(): void {
-    this.#player?.hold(document.hidden || !this.#isNear);
+    this.#player?.mover.hold(document.hidden || !this.#isNear);
   }
 
   #attributesChanged(records: readonly MutationRecord[]): void {
@@ -235,7 +235,7 @@ export class CurveDemo extends HTMLElement {
     if (ids.length === 0 && ![...names].some((name) => !PLAIN.test(name))) return;
     const { problems } = this.#readOwn(demo);
     this.#player.report(problems);
-    this.#player.go(Object.fromEntries(ids.map((id) => [id, this.#own[id]])), { source: "program" });
+    this.#player.mover.go(Object.fromEntries(ids.map((id) => [id, this.#own[id]])), { source: "program" });
   }
 
   /** The figure's own initial state: the declaration, a named state, the attributes, in an embed the query. */

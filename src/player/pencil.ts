@@ -6,6 +6,8 @@ import { WORDS } from "./words.ts";
 
 /** The pencil: a line drawn with mouse, pen or finger, or point by point with the keys. */
 export interface Pencil {
+  /** The view it draws in. */
+  readonly view: string;
   /** The focusable cross of the keyboard pencil. */
   readonly cross: HTMLElement;
   readonly on: boolean;
@@ -19,6 +21,7 @@ export interface Pencil {
 export function createPencil(
   stage: HTMLElement,
   lang: Lang,
+  viewId: string,
   points: () => readonly (readonly number[])[],
   put: (points: readonly (readonly number[])[], commit: boolean) => void,
 ): Pencil {
@@ -55,6 +58,7 @@ export function createPencil(
     if (event.detail === 0 && at) put([...points(), at], true);
   });
   return {
+    view: viewId,
     cross,
     get on() {
       return on;
