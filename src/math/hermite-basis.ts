@@ -1,5 +1,6 @@
 import { binomial } from "./bernstein.ts";
-import { checkInteger, checkInterval, checkNumber, checkPoints, checkSameLength } from "./check.ts";
+import { checkInteger, checkNumber, checkPoints, checkSameLength } from "./check.ts";
+import { checkOrdered } from "./check-ordered.ts";
 import { bezierCurve, type Curve } from "./curve.ts";
 import { add, type Point, scale, zero } from "./point.ts";
 
@@ -114,7 +115,7 @@ function controlPoints(start: readonly Point[], end: readonly Point[], h: number
  * finite.
  */
 export function hermiteCurve(t0: number, t1: number, start: readonly Point[], end: readonly Point[]): Curve {
-  checkInterval("[t0, t1]", [t0, t1]);
+  checkOrdered("t0", t0, "t1", t1);
   const dimension = checkPoints("start", start);
   checkPoints("end", end, 1, dimension);
   checkSameLength("end", end, "start", start);

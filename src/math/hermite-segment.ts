@@ -1,5 +1,5 @@
 import { checkNumber, checkPoints } from "./check.ts";
-import { applyToGeometry, invert4, type Matrix4, type Row4 } from "./matrix4.ts";
+import { applyToGeometry, type Matrix4, type Row4 } from "./matrix4.ts";
 import { add, combine, type Point, scale, sub } from "./point.ts";
 
 /**
@@ -82,21 +82,31 @@ export function bezierToHermite(controlPoints: readonly Point[]): [Point, Point,
  * The matrix K that a cubic [t³ t² t 1]·C meets at the ends of [t_r, t_{r+1}]: K·C = (P_r, P_{r+1}, P′_r, P′_{r+1}),
  * and its inverse, the Hermite basis matrix: C = K⁻¹·G.
  *
- * The four rows are four substitutions: both ends into the curve, both ends into its derivative.
- * det K = −(t_{r+1} − t_r)⁴.
+ * The four rows of K are four substitutions: both ends into the curve, both ends into its derivative.
+ * det K = −(t_{r+1} − t_r)⁴ ≠ 0. The columns of K⁻¹ are the coefficients of the Hermite polynomials, multiplied out in
+ * t, which keeps them accurate far from t = 0.
  *
- * @throws RangeError if a number is not finite, if t_r = t_{r+1}, or if the interval is so short beside its distance
- * from 0 that K cannot be inverted in doubles.
+ * @throws RangeError if a number is not finite, t_r = t_{r+1} or the cube of their difference underflows.
  */
 export function hermiteMatrix(tr: number, tr1: number): { readonly K: Matrix4; readonly Kinv: Matrix4 } {
   checkNumber("tr", tr);
   checkNumber("tr1", tr1);
+  const h = tr1 - tr;
+  // The cube, because it is divided by: it vanishes for h = 0 and where h is too short for doubles.
+  if (h ** 3 === 0)
+    throw new RangeError(`tr1: expected a number clearly different from tr = ${tr}, got ${tr1}`);
   const value = (t: number): Row4 => [t * t * t, t * t, t, 1];
   const slope = (t: number): Row4 => [3 * t * t, 2 * t, 1, 0];
-  const K: Matrix4 = [value(tr), value(tr1), slope(tr), slope(tr1)];
-  const Kinv = invert4(K);
-  if (!Kinv) throw new RangeError(`[tr, tr1]: expected two clearly different numbers, got [${tr}, ${tr1}]`);
-  return { K, Kinv };
+  const points = (row: Row4) => row.map((entry) => entry / h ** 3);
+  const tangents = (row: Row4) => row.map((entry) => entry / h ** 2);
+  const columns = [
+    points([2, -3 * (tr + tr1), 6 * tr * tr1, tr1 * tr1 * (tr1 - 3 * tr)]),
+    points([-2, 3 * (tr + tr1), -6 * tr * tr1, tr * tr * (3 * tr1 - tr)]),
+    tangents([1, -(tr + 2 * tr1), tr1 * (2 * tr + tr1), -tr * tr1 * tr1]),
+    tangents([1, -(2 * tr + tr1), tr * (tr + 2 * tr1), -tr * tr * tr1]),
+  ];
+  const Kinv = [0, 1, 2, 3].map((i) => columns.map((column) => column[i]!)) as unknown as Matrix4;
+  return { K: [value(tr), value(tr1), slope(tr), slope(tr1)], Kinv };
 }
 
 /**

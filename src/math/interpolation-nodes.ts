@@ -1,4 +1,5 @@
-import { checkInteger, checkInterval } from "./check.ts";
+import { checkInteger } from "./check.ts";
+import { checkOrdered } from "./check-ordered.ts";
 
 /** The families of interpolation nodes: equidistant, the zeros of T_{n+1} and the extrema of T_n (Chebyshev). */
 export const nodeKinds = ["equidistant", "chebyshev1", "chebyshev2"] as const;
@@ -13,7 +14,7 @@ export type NodeKind = (typeof nodeKinds)[number];
  * @throws RangeError if not a < b, if the degree is not a whole number ≥ 0 or for an unknown family.
  */
 export function interpolationNodes(kind: NodeKind, a: number, b: number, degree: number): number[] {
-  checkInterval("[a, b]", [a, b]);
+  checkOrdered("a", a, "b", b);
   checkInteger("degree", degree, 0);
   const place = places[kind];
   if (!place) throw new RangeError(`kind: expected one of ${nodeKinds.join(", ")}, got "${kind}"`);

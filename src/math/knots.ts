@@ -96,7 +96,7 @@ export function findSpan(degree: number, knots: readonly number[], t: number): n
 }
 
 /**
- * A clamped knot vector on [a, b] with evenly spaced inner knots: the curve begins in the first and ends in the last
+ * A clamped knot vector on a domain [a, b] with evenly spaced inner knots: the curve begins in the first and ends in the last
  * control point, tangent to the control polygon.
  *
  * @throws RangeError if not a < b, the degree is not a whole number ≥ 0 or there are fewer than degree + 1 control
@@ -105,11 +105,12 @@ export function findSpan(degree: number, knots: readonly number[], t: number): n
 export function clampedKnots(
   degree: number,
   count: number,
-  [a, b]: readonly [number, number] = [0, 1],
+  domain: readonly [number, number] = [0, 1],
 ): number[] {
   checkInteger("degree", degree, 0);
   checkInteger("count", count, degree + 1);
-  checkInterval("[a, b]", [a, b]);
+  checkInterval("domain", domain);
+  const [a, b] = domain;
   const spans = count - degree;
   const breaks = Array.from({ length: spans + 1 }, (_, i) => a + ((b - a) * i) / spans);
   breaks[spans] = b;

@@ -53,7 +53,8 @@ export function linearValue(
  * The position at which a value is taken between two data points: alpha = (v − v₁)/(v₂ − v₁), p = (1 − alpha)·p₁ +
  * alpha·p₂. Positions of any dimension.
  *
- * Values beyond those of the data continue the line. `null` if v₁ = v₂: no position or all of them have the value.
+ * Values beyond those of the data continue the line. `null` if v₁ = v₂: no position or all of them have the value (also
+ * if they differ so little that alpha is beyond the range of doubles).
  *
  * @throws RangeError if a number is not finite or the dimensions differ.
  */
@@ -72,7 +73,7 @@ export function linearPosition(
   if (v1 === v2) return null;
   // Halves, so that the difference of two large numbers of opposite sign cannot overflow.
   const alpha = (value / 2 - v1 / 2) / (v2 / 2 - v1 / 2);
-  return { alpha, position: lerp(p1, p2, alpha) };
+  return Number.isFinite(alpha) ? { alpha, position: lerp(p1, p2, alpha) } : null;
 }
 
 function checkDistance(name: string, value: number): void {

@@ -1,4 +1,5 @@
-import { checkInteger, checkInterval, checkNumbers } from "./check.ts";
+import { checkInteger, checkNumbers } from "./check.ts";
+import { checkOrdered } from "./check-ordered.ts";
 
 /** The largest distance between two functions and a place where it is met. */
 export type ErrorPeak = {
@@ -41,7 +42,7 @@ export function maxError(
   b: number,
   samples = 2000,
 ): ErrorPeak {
-  checkInterval("[a, b]", [a, b]);
+  checkOrdered("a", a, "b", b);
   checkInteger("samples", samples, 2);
   const error = (x: number) => Math.abs(f(x) - g(x));
   const place = (k: number) => (k === samples ? b : a + ((b - a) * k) / samples);

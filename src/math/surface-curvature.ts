@@ -1,4 +1,4 @@
-import { dot, type Point } from "./point.ts";
+import { cross, dot, norm, type Point, scale } from "./point.ts";
 import type { Surface } from "./surface.ts";
 import { surfaceNormal } from "./surface-normal.ts";
 
@@ -48,14 +48,18 @@ export type SurfaceCurvature = {
  * K = (LN − M²)/(EG − F²), H = (EN − 2FM + GL)/(2(EG − F²)).
  */
 export function surfaceCurvature(surface: Surface, u: number, v: number): SurfaceCurvature | null {
-  const forms = fundamentalForms(surface, u, v);
-  if (!forms) return null;
-  const { E, F, G, L, M, N } = forms;
-  // F/√(EG) is the cosine of the angle between the tangents; scaling by the lengths keeps EG − F² from overflowing.
-  const [e, g] = [Math.sqrt(E), Math.sqrt(G)];
-  const cosine = F / e / g;
-  const sine2 = (1 - cosine) * (1 + cosine);
-  const [l, m, n] = [L / E, M / e / g, N / G];
+  const normal = surfaceNormal(surface, u, v);
+  if (!normal) return null;
+  const su = surface.partial(u, v, 1, 0);
+  const sv = surface.partial(u, v, 0, 1);
+  // All divided by the lengths √E and √G of the tangents, so that nothing over- or underflows: F becomes the cosine of
+  // their angle, EG − F² the square of its sine.
+  const [e, g] = [norm(su), norm(sv)];
+  const cosine = dot(scale(su, 1 / e), scale(sv, 1 / g));
+  const sine2 = norm(cross(scale(su, 1 / e), scale(sv, 1 / g))) ** 2;
+  const l = dot(surface.partial(u, v, 2, 0), normal) / e / e;
+  const m = dot(surface.partial(u, v, 1, 1), normal) / e / g;
+  const n = dot(surface.partial(u, v, 0, 2), normal) / g / g;
   const gaussian = (l * n - m * m) / sine2;
   const mean = (l + n - 2 * cosine * m) / (2 * sine2);
   const spread = Math.sqrt(Math.max(0, mean * mean - gaussian));
