@@ -1,5 +1,7 @@
 import type { Plugin, Rolldown } from "vite";
 import { type Assets, ENTRIES, type PageAssets } from "../assets.ts";
+import { type Characters, gatherCharacters } from "../fonts/characters.ts";
+import { emitFonts } from "../fonts/emit-fonts.ts";
 import { problemsText } from "../problem.ts";
 import type { Site } from "../site.ts";
 import { buildWorkshop, type Workshop } from "../workshop.ts";
@@ -17,6 +19,7 @@ export function pagesInBuild(): Plugin {
       build: {
         rolldownOptions: {
           input: { ...ENTRIES },
+          checks: { pluginTimings: false },
           output: {
             entryFileNames: ({ name }) => (name === "embed-js" ? "embed.js" : "assets/[name]-[hash].js"),
           },
@@ -33,7 +36,12 @@ export function pagesInBuild(): Plugin {
       if (site.problems.length > 0) this.error(problemsText(site.problems));
     },
     async generateBundle(_, bundle) {
-      const assets: Assets = { page: assetsOf(bundle, "page"), embed: assetsOf(bundle, "embed") };
+      const bare: Assets = { page: assetsOf(bundle, "page"), embed: assetsOf(bundle, "embed") };
+      const fonts = await emitFonts(this, root, charactersOf(site!, bare, bundle));
+      const assets: Assets = {
+        page: withSheet(bare.page, fonts.page),
+        embed: withSheet(bare.embed, fonts.embed),
+      };
       for (const page of site!.pages) {
         const source = site!.render(page, assets);
         this.emitFile({ type: "asset", fileName: `${page.path}index.html`, source });
@@ -62,4 +70,15 @@ function assetsOf(bundle: Rolldown.OutputBundle, name: string): PageAssets {
   const needed = [entry, ...chunks.filter((chunk) => entry.imports.includes(chunk.fileName))];
   const styles = needed.flatMap((chunk) => [...(chunk.viteMetadata?.importedCss ?? [])]);
   return { styles: [...new Set(styles)], scripts: [entry.fileName] };
+}
+
+function withSheet({ styles, scripts }: PageAssets, sheet: string): PageAssets {
+  return { styles: [sheet, ...styles], scripts };
+}
+
+/** What the fonts must hold. Pages are made once without fonts, to see what stands in them. */
+function charactersOf(site: Site, assets: Assets, bundle: Rolldown.OutputBundle): Characters {
+  const pages = site.pages.map((page) => site.render(page, assets));
+  const scripts = Object.values(bundle).flatMap((one) => (one.type === "chunk" ? [one.code] : []));
+  return gatherCharacters(pages, scripts);
 }

@@ -1,13 +1,17 @@
 import type { Plugin, ViteDevServer } from "vite";
 import { type Assets, ENTRIES } from "../assets.ts";
+import { FACES, faceRule } from "../fonts/faces.ts";
 import type { Page } from "../pages/page.ts";
 import { problemsText } from "../problem.ts";
 import type { Site } from "../site.ts";
 import { devWorkshop } from "../workshop.ts";
 
+/** Fonts as their packages bring them. */
+const FONTS = "@straklatte/fonts.css";
+
 const ASSETS: Assets = {
-  page: { styles: [], scripts: [ENTRIES.page] },
-  embed: { styles: [], scripts: [ENTRIES.embed] },
+  page: { styles: [FONTS], scripts: [ENTRIES.page] },
+  embed: { styles: [FONTS], scripts: [ENTRIES.embed] },
 };
 
 /** Serves the pages while writing: each request makes its page anew, each saved lesson reloads the browser. */
@@ -24,6 +28,10 @@ export function pagesInDev(): Plugin {
       });
       middlewares.use((request, response, next) => {
         const path = new URL(request.url ?? "/", "http://localhost").pathname.slice(1);
+        if (path === FONTS) {
+          response.setHeader("Content-Type", "text/css");
+          return response.end(FACES.map((face) => faceRule(face, `/node_modules/${face.file}`)).join("\n"));
+        }
         if (path !== "" && !path.endsWith("/")) return next();
         answer(server, path)
           .then((html) => {
