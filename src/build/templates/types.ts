@@ -143,6 +143,16 @@ export interface EmbedPage {
   readonly figure: FigureData;
 }
 
+/** 404.html: a whole document, not made from the shell. */
+export interface NotFoundPage {
+  /** The whole style sheet: `themeCss()` and `NOT_FOUND_CSS` of not-found-page.ts. */
+  readonly css: string;
+  /** The policy that allows `BOOT` and `css` by their hashes; null in the dev server. */
+  readonly csp: string | null;
+  /** The site's address with a slash at its end, if it is known. */
+  readonly home: string | null;
+}
+
 // ——— Pieces of a lesson: the markdown rules call the template of the same name. ———
 
 /** `section.ts`: an h2 with all that follows; long sections are not laid out until they come near. */
