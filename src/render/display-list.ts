@@ -6,7 +6,7 @@ import { frame } from "./frame.ts";
 import { base, drawMark, inWindow, type Sheet } from "./mark-primitives.ts";
 import { type LabelRequest, placeLabels } from "./place-labels.ts";
 import type { Drawing, Primitive } from "./primitives.ts";
-import { setLabel } from "./set-label.ts";
+import { type SetText, setLabel } from "./set-label.ts";
 
 export interface DrawingOptions {
   /** Size of the drawing in pixels at scale 1. */
@@ -43,7 +43,14 @@ function drawWindow(
   primitives: Primitive[],
 ): void {
   primitives.push(...frame(view, transform, lang));
-  const sheet: Sheet = { transform, lit, primitives, obstacles: { circles: [], lines: [] }, labels: [] };
+  const sheet: Sheet = {
+    transform,
+    lit,
+    primitives,
+    obstacles: { circles: [], lines: [] },
+    regions: [],
+    labels: [],
+  };
   for (const mark of marks) drawMark(mark, sheet);
   drawLabels(sheet, lang);
 }
@@ -62,7 +69,7 @@ function drawLabels(sheet: Sheet, lang: Lang): void {
   };
   const seen = sheet.labels
     .map((mark) => ({ mark, at: transform.toPixel(mark.at), text: setLabel(mark.label, lang) }))
-    .filter(({ at }) => inWindow(at, transform.box));
+    .filter(({ mark, at, text }) => inWindow(at, transform.box) && fits(mark, at, text, sheet));
   const requests = seen.map(({ mark, at, text }): LabelRequest => {
     const toward = mark.toward && [
       mark.toward[0]! * transform.scale[0]!,
@@ -78,16 +85,28 @@ function drawLabels(sheet: Sheet, lang: Lang): void {
       ...(toward ? { toward } : {}),
     };
   });
-  placeLabels(requests, obstacles, bounds).forEach((box, i) => {
-    if (!box) return;
+  placeLabels(requests, obstacles, bounds).forEach((placed, i) => {
+    if (!placed) return;
     const { mark, text } = seen[i]!;
-    const at = [box.left, box.top + text.ascent];
-    primitives.push({ kind: "text", ...base(mark, partOf(mark)), at, anchor: "start", runs: text.runs });
+    const at = [placed.box.left, placed.box.top + text.ascent];
+    // Letters on the filled region of a weight need no rim, and get one nowhere else without a reason.
+    const part = placed.crossed && mark.role !== "weight" ? "text" : "plain";
+    primitives.push({ kind: "text", ...base(mark, part), at, anchor: "start", runs: text.runs });
   });
 }
 
-function partOf(mark: LabelMark): "plain" | "text" {
-  return mark.role === "weight" ? "plain" : "text";
+/** A number on a weight's region is left out where the region is too small for it. */
+function fits(
+  mark: LabelMark,
+  [x, y]: readonly [number, number],
+  text: SetText,
+  { regions }: Sheet,
+): boolean {
+  if (mark.role !== "weight" || mark.place !== "centre") return true;
+  const region = regions.findLast(
+    ({ left, top, width, height }) => x >= left && x <= left + width && y >= top && y <= top + height,
+  );
+  return !region || (text.width + 4 <= region.width && text.ascent + text.descent <= region.height);
 }
 
 /** The radius of what is drawn around the very point of a label: its handle, its weight. */

@@ -1,4 +1,5 @@
 import type { Label } from "../scene/label.ts";
+import { shownAxes } from "../scene/layout.ts";
 import type { Role } from "../scene/marks.ts";
 import type { View, ViewTransform } from "../scene/view.ts";
 import { formatNumber } from "../words/numbers.ts";
@@ -15,11 +16,14 @@ const SPACING = { grid: 44, x: 52, y: 30 };
 export function frame(view: View, transform: ViewTransform, lang: Lang): Primitive[] {
   const list: Primitive[] = [];
   if (view.grid) list.push(grid(view, transform));
-  if (view.axes) list.push(...axes(view.axes, transform, lang));
+  if (view.axes) list.push(...axes(view, transform, lang));
   return list;
 }
 
-function lines(role: Role, ends: readonly (readonly [number, number, number, number])[]): Primitive {
+/** A straight line: x and y of its ends. */
+type Ends = readonly [number, number, number, number];
+
+function lines(role: Role, ends: readonly Ends[]): Primitive {
   const steps = ends.flatMap(([x0, y0, x1, y1]) => [["M", [x0, y0]] as const, ["L", [x1, y1]] as const]);
   return { kind: "path", role, part: "line", steps };
 }
@@ -43,46 +47,66 @@ function grid(view: View, { box, x, y, scale, toPixel }: ViewTransform): Primiti
 
 /**
  * The axes: lines through the origin, or along the edge where the origin is out of sight, with the numbers
- * outside the window. Where only one axis has a name, only that one is drawn.
+ * outside the window.
  */
-function axes(
-  names: { readonly x?: Label; readonly y?: Label },
-  { box, x, y, scale, toPixel }: ViewTransform,
-  lang: Lang,
-): Primitive[] {
+function axes(view: View, { box, x, y, scale, toPixel }: ViewTransform, lang: Lang): Primitive[] {
   const right = box.left + box.width;
   const bottom = box.top + box.height;
   const [zeroX, zeroY] = toPixel([0, 0]);
   const axisX = sharp(x[0] <= 0 && x[1] >= 0 ? zeroX : box.left);
   const axisY = sharp(y[0] <= 0 && y[1] >= 0 ? zeroY : bottom);
+  const shown = shownAxes(view);
   const list: Primitive[] = [];
-  if (names.x || !names.y) {
+  const put = (ends: readonly Ends[], numbers: readonly Primitive[]) => {
+    list.push(lines("axis", ends), ...numbers);
+  };
+  // Where no grid leads to the numbers, small strokes do.
+  const stroke = view.grid ? 0 : 4;
+  if (shown.x) {
     const { values, digits } = ticks(x, scale[0]!, SPACING.x);
-    list.push(lines("axis", [[box.left, axisY, right, axisY]]));
-    for (const value of values) {
-      const at = [toPixel([value, 0])[0], bottom + 8 + SIZE.axisNumber * 0.72];
-      list.push(text(at, "middle", formatNumber(value, lang, digits)));
-    }
-    if (names.x) list.push(axisName(names.x, lang, [right + 4, axisY + 4]));
+    const places = values.map((value) => toPixel([value, 0])[0]);
+    const strokes =
+      stroke > 0 ? places.map((at): Ends => [sharp(at), bottom, sharp(at), bottom + stroke]) : [];
+    put(
+      [[box.left, axisY, right, axisY], ...strokes],
+      values.map((value, i) =>
+        number([places[i]!, bottom + 20], "middle", formatNumber(value, lang, digits)),
+      ),
+    );
+    if (view.axes?.x) list.push(nameOfX(view.axes.x, lang, right, axisY));
   }
-  if (names.y || !names.x) {
+  if (shown.y) {
     const { values, digits } = ticks(y, scale[1]!, SPACING.y);
-    list.push(lines("axis", [[axisX, box.top, axisX, bottom]]));
-    for (const value of values) {
-      const at = [box.left - 7, toPixel([0, value])[1] + SIZE.axisNumber * 0.34];
-      list.push(text(at, "end", formatNumber(value, lang, digits)));
-    }
-    if (names.y) list.push(axisName(names.y, lang, [axisX + 6, box.top + 6]));
+    const places = values.map((value) => toPixel([0, value])[1]);
+    const strokes =
+      stroke > 0 ? places.map((at): Ends => [box.left - stroke, sharp(at), box.left, sharp(at)]) : [];
+    put(
+      [[axisX, box.top, axisX, bottom], ...strokes],
+      values.map((value, i) =>
+        number([box.left - 8, places[i]! + SIZE.axisNumber * 0.34], "end", formatNumber(value, lang, digits)),
+      ),
+    );
+    if (view.axes?.y) list.push(nameOfY(view.axes.y, lang, axisX, box.top));
   }
   return list;
 }
 
-function text(at: readonly number[], anchor: "middle" | "end", number: string): Primitive {
-  const runs = [{ text: number, font: "text", size: SIZE.axisNumber, dx: 0, dy: 0 }] as const;
+function number(at: readonly number[], anchor: "middle" | "end", digits: string): Primitive {
+  const runs = [{ text: digits, font: "text", size: SIZE.axisNumber, dx: 0, dy: 0 }] as const;
   return { kind: "text", role: "axis", part: "plain", at, anchor, runs };
 }
 
-function axisName(label: Label, lang: Lang, at: readonly number[]): Primitive {
-  const { runs } = setLabel(label, lang, SIZE.axisName);
-  return { kind: "text", role: "axis", part: "text", at, anchor: "start", runs };
+/** At the end of the axis, or above it where the name is too long for the margin. */
+function nameOfX(label: Label, lang: Lang, right: number, axis: number): Primitive {
+  const { runs, width } = setLabel(label, lang, SIZE.axisName);
+  const short = width <= 9;
+  const at = short ? [right + 4, axis + 4] : [right - width, axis - 7];
+  return { kind: "text", role: "axis", part: short ? "plain" : "text", at, anchor: "start", runs };
+}
+
+/** Above the end of the axis. */
+function nameOfY(label: Label, lang: Lang, axis: number, top: number): Primitive {
+  const { runs, width } = setLabel(label, lang, SIZE.axisName);
+  const at = [Math.max(2, axis - width / 2), top - 10];
+  return { kind: "text", role: "axis", part: "plain", at, anchor: "start", runs };
 }

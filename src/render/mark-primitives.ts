@@ -24,6 +24,8 @@ export interface Sheet {
   readonly lit: ReadonlySet<string>;
   readonly primitives: Primitive[];
   readonly obstacles: Obstacles;
+  /** The boxes of the weights' filled regions. */
+  readonly regions: Box[];
   /** Lettering is set once everything else stands. */
   readonly labels: LabelMark[];
 }
@@ -121,6 +123,14 @@ function clipOf(steps: readonly PathStep[], { left, top, width, height }: Box): 
   return {};
 }
 
+/** The box of all points of the steps. */
+function boxOf(steps: readonly PathStep[]): Box {
+  const points = steps.flatMap((step) => step.slice(1) as XY[]);
+  const [xs, ys] = [points.map((p) => p[0]!), points.map((p) => p[1]!)];
+  const [left, top] = [Math.min(...xs), Math.min(...ys)];
+  return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
+}
+
 /** How much lettering avoids the lines of a role. */
 function lineWeight(mark: Mark): number {
   if (mark.role === "curve" || mark.role === "good" || mark.role === "bad") return 1.6;
@@ -135,7 +145,10 @@ function drawPath(mark: PathMark, sheet: Sheet): void {
   if (isLit(mark, sheet)) {
     sheet.primitives.push({ ...base(mark, paint === "fill" ? "shine" : "glow"), ...shared });
   }
-  if (paint !== "stroke") sheet.primitives.push({ ...base(mark, "area"), ...shared });
+  if (paint !== "stroke") {
+    sheet.primitives.push({ ...base(mark, "area"), ...shared });
+    if (mark.role === "weight") sheet.regions.push(boxOf(steps));
+  }
   if (paint !== "fill") {
     sheet.primitives.push({ ...base(mark, "line"), ...shared });
     addLine(sheet.obstacles.lines, steps, lineWeight(mark));

@@ -14,6 +14,7 @@ export type Token =
   | "lath"
   | "curve"
   | "rest"
+  | "polygon"
   | "good"
   | "bad"
   | IndexToken;
@@ -29,31 +30,32 @@ export function indexToken(index: number): IndexToken {
   return `index-${entry}` as IndexToken;
 }
 
-// Chosen together: each entry is readable as text on its paper (≥ 4.5 : 1), and all of them differ for
-// normal, red-blind, green-blind and blue-blind eyes. Neighbours in the sequence differ most.
+// The first four are the design's; the others were searched for: as far apart as possible, from the first
+// four and from the curve as well, for normal, red-blind, green-blind and blue-blind eyes at once, readable
+// as text (≥ 4.5 : 1), and of the same hue in light and dark.
 const INDEX_LIGHT = [
   "#0a5ea8",
   "#b8420a",
   "#0b7050",
   "#8f3a86",
-  "#6b5a00",
-  "#2b2f86",
-  "#a01838",
-  "#0f6f84",
-  "#5a3a1e",
-  "#4d6a16",
+  "#3f4b04",
+  "#d5225b",
+  "#4c0faa",
+  "#5a210b",
+  "#7b55e7",
+  "#643b56",
 ];
 const INDEX_DARK = [
   "#6db3f2",
   "#ff9a62",
   "#4fc79c",
   "#dd92d6",
-  "#d8c24a",
-  "#a5a8ff",
-  "#ff8fa3",
-  "#5fd0e6",
-  "#cfae8a",
-  "#a9cf62",
+  "#f0d947",
+  "#ea696e",
+  "#9884f3",
+  "#c8800d",
+  "#c9c2fc",
+  "#ac849e",
 ];
 
 function withIndex(named: Omit<Palette, IndexToken>, index: readonly string[]): Palette {
@@ -74,6 +76,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       lath: "#b4570a",
       curve: "#17365c",
       rest: "#8391a5",
+      polygon: "#737a87",
       good: "#0b7050",
       bad: "#b3261e",
     },
@@ -90,6 +93,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       lath: "#f0a04b",
       curve: "#dfe8f5",
       rest: "#6d7889",
+      polygon: "#8690a0",
       good: "#4fc79c",
       bad: "#ff8a80",
     },
@@ -106,6 +110,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       lath: "#9a4606",
       curve: "#000000",
       rest: "#888888",
+      polygon: "#666666",
       good: "#0b7050",
       bad: "#b3261e",
     },
@@ -122,6 +127,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       lath: "Highlight",
       curve: "CanvasText",
       rest: "GrayText",
+      polygon: "CanvasText",
       good: "CanvasText",
       bad: "CanvasText",
     },

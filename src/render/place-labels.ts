@@ -31,6 +31,13 @@ interface Place {
   readonly price: number;
 }
 
+/** Where a label stands. */
+export interface PlacedLabel {
+  readonly box: Box;
+  /** Whether a line or point runs through it, so that it needs a rim of paper. */
+  readonly crossed: boolean;
+}
+
 /** All places that are tried, cheapest first, so that the search can stop early. */
 function places(turnPrice: number): Place[] {
   const all: Place[] = [];
@@ -59,39 +66,46 @@ export function placeLabels(
   requests: readonly LabelRequest[],
   obstacles: Obstacles,
   bounds: Box,
-): (Box | null)[] {
-  const result: (Box | null)[] = requests.map((request) =>
-    request.fixed ? boxAround(request.at[0]!, request.at[1]!, request) : null,
-  );
+): (PlacedLabel | null)[] {
+  const result: (PlacedLabel | null)[] = requests.map((request) => {
+    if (!request.fixed) return null;
+    const box = boxAround(request.at[0]!, request.at[1]!, request);
+    return { box, crossed: disturbance(box, nearby(request, obstacles), 1) > 0 };
+  });
   const order = requests
     .map((request, i) => ({ request, i }))
     .filter(({ request }) => !request.fixed)
     .sort((a, b) => a.request.rank - b.request.rank || a.i - b.i);
-  const taken = result.filter((box) => box !== null);
+  const taken = result.flatMap((placed) => (placed ? [placed.box] : []));
   for (const { request, i } of order) {
-    const box = best(request, obstacles, taken, bounds);
-    result[i] = box;
-    if (box) taken.push(box);
+    const placed = best(request, obstacles, taken, bounds);
+    result[i] = placed;
+    if (placed) taken.push(placed.box);
   }
   return result;
 }
 
-function best(request: LabelRequest, obstacles: Obstacles, taken: readonly Box[], bounds: Box): Box | null {
+function best(
+  request: LabelRequest,
+  obstacles: Obstacles,
+  taken: readonly Box[],
+  bounds: Box,
+): PlacedLabel | null {
   const [tx, ty] = request.toward ?? [0, 0];
   const directed = Math.hypot(tx!, ty!) > 1e-9;
   // Without a wish, to the upper right: where a reader looks for a name.
   const start = directed ? Math.atan2(ty!, tx!) : -Math.PI / 4;
   const near = nearby(request, obstacles);
-  let found: Box | null = null;
+  let found: PlacedLabel | null = null;
   let lowest = Number.POSITIVE_INFINITY;
   for (const place of directed ? DIRECTED : FREE) {
     if (place.price >= lowest) break;
     const box = boxAt(request, start + place.turn, request.clear + GAP + place.away);
     if (!inside(box, bounds) || taken.some((other) => overlap(box, other))) continue;
-    const price = place.price + disturbance(box, near, lowest - place.price);
-    if (price < lowest) {
-      lowest = price;
-      found = box;
+    const covered = disturbance(box, near, lowest - place.price);
+    if (place.price + covered < lowest) {
+      lowest = place.price + covered;
+      found = { box, crossed: covered > 0 };
     }
   }
   return found;
@@ -155,6 +169,9 @@ function nearby({ at, width, height, clear }: LabelRequest, { circles, lines }: 
   };
 }
 
+/** Lines count as soon as they come so near. */
+const AIR = 2.5;
+
 /** What a place costs by what it covers; infinite on a handle. Stops once it is more than `enough`. */
 function disturbance(box: Box, { circles, lines }: Obstacles, enough: number): number {
   let price = 0;
@@ -165,8 +182,14 @@ function disturbance(box: Box, { circles, lines }: Obstacles, enough: number): n
     if (hard) return Number.POSITIVE_INFINITY;
     price += PRICE.point;
   }
+  const wide: Box = {
+    left: box.left - AIR,
+    top: box.top - AIR,
+    width: box.width + 2 * AIR,
+    height: box.height + 2 * AIR,
+  };
   for (let i = 0; i < lines.length && price < enough; i += 5) {
-    const length = lengthInside(box, lines[i]!, lines[i + 1]!, lines[i + 2]!, lines[i + 3]!);
+    const length = lengthInside(wide, lines[i]!, lines[i + 1]!, lines[i + 2]!, lines[i + 3]!);
     if (length > 0) price += (PRICE.line + length * PRICE.lineLength) * lines[i + 4]!;
   }
   return price;

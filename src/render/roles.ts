@@ -17,7 +17,7 @@ export interface RoleStyle {
 export const ROLES: Readonly<Record<Role, RoleStyle>> = {
   curve: { token: "curve", width: 2.5, fill: 0.1 },
   "curve-rest": { token: "rest", text: "soft", width: 2, fill: 0.06 },
-  "control-polygon": { token: "soft", width: 1.25, fill: 0.06 },
+  "control-polygon": { token: "polygon", text: "soft", width: 1.25, fill: 0.06 },
   handle: { token: "lath", width: 1.75, fill: 0.14 },
   derived: { token: "lath", width: 1.25, fill: 0.1 },
   tangent: { token: "lath", width: 1.75, fill: 0.1 },
