@@ -5,8 +5,26 @@ export type Views = Readonly<Record<string, View>>;
 /** Below this width, in pixels at scale 1, the windows of a figure stand below each other. */
 export const NARROW = 560;
 
-/** Space for the numbers at an axis, and around every window. */
-const INSET = { plain: 6, axisLeft: 34, axisBottom: 24, axisTop: 10, axisRight: 14 };
+/** Space around every window; for the numbers and names at its axes; beside the ends of an axis. */
+const INSET = { plain: 6, numbersLeft: 34, numbersBottom: 24, nameTop: 24, nameRight: 14, end: 10 };
+
+/** Which axes a window shows: those that have a name, or both where none has. */
+export function shownAxes({ axes }: View): { readonly x: boolean; readonly y: boolean } {
+  if (!axes) return { x: false, y: false };
+  return { x: !!axes.x || !axes.y, y: !!axes.y || !axes.x };
+}
+
+function insets(view: View): { left: number; right: number; top: number; bottom: number } {
+  const { plain, numbersLeft, numbersBottom, nameTop, nameRight, end } = INSET;
+  const { x, y } = shownAxes(view);
+  if (!x && !y) return { left: plain, right: plain, top: plain, bottom: plain };
+  return {
+    left: y ? numbersLeft : end,
+    right: view.axes?.x ? nameRight : end,
+    top: view.axes?.y ? nameTop : end,
+    bottom: x ? numbersBottom : end,
+  };
+}
 
 /** Height of the whole drawing as a share of its width. */
 export function aspect(views: Views, narrow: boolean): number {
@@ -53,9 +71,7 @@ export function layoutViews(views: Views, width: number, height: number): Readon
     const tall = (row.height / total) * height;
     for (const cell of row.cells) {
       const view = views[cell.id]!;
-      const inset = view.axes
-        ? { left: INSET.axisLeft, right: INSET.axisRight, top: INSET.axisTop, bottom: INSET.axisBottom }
-        : { left: INSET.plain, right: INSET.plain, top: INSET.plain, bottom: INSET.plain };
+      const inset = insets(view);
       boxes[cell.id] = {
         left: cell.from * width + inset.left,
         top: top + inset.top,
