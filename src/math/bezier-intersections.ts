@@ -1,19 +1,23 @@
 import { bezierDerivative, bezierPoint } from "./bezier.ts";
 import { checkPoints, checkPositive } from "./check.ts";
-import { dot, lerp, norm, type Point, sub } from "./point.ts";
+import { distance, dot, lerp, norm, type Point, sub } from "./point.ts";
 import { splitBezier } from "./split-bezier.ts";
 
 /** A common point of two curves: parameter t on the first, u on the second. */
 export type Intersection = { readonly t: number; readonly u: number; readonly point: Point };
 
-/** A piece of a Bézier curve, over the `index`-th part of [0, 1] at some level of halving. */
-type Piece = { readonly points: readonly Point[]; readonly index: number };
+/** A piece of a Bézier curve, over the `index`-th part of [0, 1] at some level of halving; halved when needed. */
+type Piece = {
+  readonly points: readonly Point[];
+  readonly index: number;
+  halves?: readonly [Piece, Piece];
+};
 
 /** The last level of halving: pieces over 2⁻²⁰ of the parameter. */
 const lastLevel = 20;
 
 /** More pairs of pieces than this are left only between curves that share infinitely many points. */
-const mostPairs = 5000;
+const mostPairs = 2000;
 
 /**
  * The common points of two plane Bézier curves, ascending in t, or `null` if the curves share a whole piece (or one is a
@@ -43,45 +47,83 @@ export function bezierIntersections(
     ],
   ];
   for (let level = 0; level < lastLevel; level++) {
-    pairs = pairs.flatMap(([p, q]) => {
-      const ofQ = halves(q);
-      return halves(p).flatMap((left) =>
-        ofQ.flatMap((right): [Piece, Piece][] =>
-          separated(left.points, right.points, margin) ? [] : [[left, right]],
-        ),
-      );
-    });
-    if (pairs.length > mostPairs) return null;
+    const next: [Piece, Piece][] = [];
+    for (const [p, q] of pairs) {
+      for (const left of halvesOf(p)) {
+        for (const right of halvesOf(q)) {
+          if (!separated(left.points, right.points, margin)) next.push([left, right]);
+        }
+      }
+    }
+    if (next.length > mostPairs) return null;
+    pairs = next;
   }
   const width = 2 ** -lastLevel;
-  return clusters(pairs)
-    .map((cluster) =>
-      cluster
-        .map(([p, q]) => refine(a, b, (p.index + 0.5) * width, (q.index + 0.5) * width))
-        .reduce((best, other) => (other.gap < best.gap ? other : best)),
-    )
+  const found = clusters(pairs).map((cluster) => {
+    const starts = cluster.map(([p, q]) => {
+      const [t, u] = [(p.index + 0.5) * width, (q.index + 0.5) * width];
+      return { t, u, gap: distance(bezierPoint(a, t), bezierPoint(b, u)) };
+    });
+    const start = starts.reduce((best, other) => (other.gap < best.gap ? other : best));
+    return refine(a, b, start.t, start.u);
+  });
+  return found
     .filter(({ gap }) => gap <= accuracy)
     .map(({ t, u }) => ({ t, u, point: lerp(bezierPoint(a, t), bezierPoint(b, u), 0.5) }))
     .sort((one, other) => one.t - other.t || one.u - other.u);
 }
 
-function halves({ points, index }: Piece): Piece[] {
-  return splitBezier(points, 0.5).map((half, k) => ({ points: half, index: 2 * index + k }));
+function halvesOf(piece: Piece): readonly [Piece, Piece] {
+  if (!piece.halves) {
+    const [left, right] = splitBezier(piece.points, 0.5);
+    piece.halves = [
+      { points: left, index: 2 * piece.index },
+      { points: right, index: 2 * piece.index + 1 },
+    ];
+  }
+  return piece.halves;
 }
 
 /** Whether a line separates the two control polygons, and so the curves, by more than `margin`. */
 function separated(p: readonly Point[], q: readonly Point[], margin: number): boolean {
-  return [[1, 0], [0, 1], normalOfChord(p), normalOfChord(q)].some((axis) => {
-    const along = (points: readonly Point[]): number[] => points.map((point) => dot(point, axis));
-    const [ofP, ofQ] = [along(p), along(q)];
-    const gap = Math.max(Math.min(...ofP) - Math.max(...ofQ), Math.min(...ofQ) - Math.max(...ofP));
-    return gap > margin * norm(axis);
-  });
+  return (
+    separatedAlong(1, 0, p, q, margin) ||
+    separatedAlong(0, 1, p, q, margin) ||
+    separatedAcrossChord(p, p, q, margin) ||
+    separatedAcrossChord(q, p, q, margin)
+  );
 }
 
-function normalOfChord(points: readonly Point[]): Point {
-  const chord = sub(points.at(-1)!, points[0]!);
-  return [-chord[1]!, chord[0]!];
+function separatedAcrossChord(
+  chord: readonly Point[],
+  p: readonly Point[],
+  q: readonly Point[],
+  margin: number,
+): boolean {
+  const [x, y] = sub(chord.at(-1)!, chord[0]!) as [number, number];
+  return separatedAlong(-y, x, p, q, margin * norm([x, y]));
+}
+
+/** Whether the projections on the direction (x, y) are more than `margin` apart. */
+function separatedAlong(
+  x: number,
+  y: number,
+  p: readonly Point[],
+  q: readonly Point[],
+  margin: number,
+): boolean {
+  let [minP, maxP, minQ, maxQ] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (const point of p) {
+    const along = x * point[0]! + y * point[1]!;
+    if (along < minP) minP = along;
+    if (along > maxP) maxP = along;
+  }
+  for (const point of q) {
+    const along = x * point[0]! + y * point[1]!;
+    if (along < minQ) minQ = along;
+    if (along > maxQ) maxQ = along;
+  }
+  return minQ - maxP > margin || minP - maxQ > margin;
 }
 
 /** Groups of pairs in which each neighbours another one in both parameters. */

@@ -1,4 +1,4 @@
-import { checkAscending, checkPositive } from "./check.ts";
+import { checkAscending, checkPoint, checkPositive } from "./check.ts";
 import { curvatureVector } from "./curvature.ts";
 import type { Curve } from "./curve.ts";
 import { angleBetween, cross, dot, norm, normalize, type Point, scale, sub } from "./point.ts";
@@ -57,8 +57,8 @@ export function planeFrame(curve: Curve, t: number): { point: Point; tangent: Po
  *
  * Source: W. Wang, B. Jüttler, D. Zheng, Y. Liu, Computation of rotation minimizing frames.
  *
- * @throws RangeError if the curve does not lie in space, `ts` is empty or not strictly ascending, `accuracy` is not
- * positive, or the whole curve stands still at the first parameter.
+ * @throws RangeError if the curve or `start` does not lie in space, `ts` is empty or not strictly ascending, `accuracy` is
+ * not positive, or the curve stands still at the first parameter.
  */
 export function rotationMinimisingFrames(
   curve: Curve,
@@ -69,6 +69,7 @@ export function rotationMinimisingFrames(
   checkSpace(curve);
   checkAscending("ts", ts);
   checkPositive("accuracy", accuracy);
+  if (start) checkPoint("start", start, 3);
   const tangent = unitTangent(curve, ts[0]!);
   if (!tangent)
     throw new RangeError(`curve: expected a direction at ts[0] = ${ts[0]}, but it stands still there`);
