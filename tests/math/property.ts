@@ -1,5 +1,9 @@
 import fc from "fast-check";
+import { vi } from "vitest";
 import type { Point } from "../../src/math/index.ts";
+
+// A thousand runs on a busy machine take longer than a unit test may.
+vi.setConfig({ testTimeout: 120_000 });
 
 /** Runs of each property; a mutation run sets PROPERTY_RUNS=25. */
 const numRuns = Number(process.env.PROPERTY_RUNS ?? 1000);
