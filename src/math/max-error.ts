@@ -53,10 +53,11 @@ export function maxError(
   });
   // Between two samples a smooth peak rises above them by far less than the drop to their neighbours; half is safe.
   const threshold = peak.error / 2;
-  for (let k = 1; k < samples; k++) {
+  for (let k = 0; k <= samples; k++) {
     const here = errors[k]!;
-    if (here < threshold || here < errors[k - 1]! || here < errors[k + 1]!) continue;
-    const refined = goldenSection(error, place(k - 1), place(k + 1));
+    const [before, after] = [errors[k - 1] ?? 0, errors[k + 1] ?? 0];
+    if (here < threshold || here < before || here < after) continue;
+    const refined = goldenSection(error, place(Math.max(k - 1, 0)), place(Math.min(k + 1, samples)));
     if (refined.error > peak.error) peak = refined;
   }
   return peak;
