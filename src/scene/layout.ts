@@ -8,7 +8,7 @@ export const NARROW = 560;
 /** Space around every window; for the numbers and names at its axes; beside the ends of an axis. */
 const INSET = { plain: 6, numbersLeft: 34, numbersBottom: 24, nameTop: 24, nameRight: 14, end: 10 };
 
-/** Which axes a window shows: those that have a name, or both where none has. */
+/** Which axes a window shows: those that are named, be it by the empty name, or both where none is. */
 export function shownAxes({ axes }: View): { readonly x: boolean; readonly y: boolean } {
   if (!axes) return { x: false, y: false };
   return { x: !!axes.x || !axes.y, y: !!axes.y || !axes.x };
@@ -20,8 +20,8 @@ function insets(view: View): { left: number; right: number; top: number; bottom:
   if (!x && !y) return { left: plain, right: plain, top: plain, bottom: plain };
   return {
     left: y ? numbersLeft : end,
-    right: view.axes?.x ? nameRight : end,
-    top: view.axes?.y ? nameTop : end,
+    right: view.axes?.x?.base ? nameRight : end,
+    top: view.axes?.y?.base ? nameTop : end,
     bottom: x ? numbersBottom : end,
   };
 }
