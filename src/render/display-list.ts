@@ -1,5 +1,7 @@
 import { layoutViews, type Views } from "../scene/layout.ts";
 import type { LabelMark, Scene } from "../scene/marks.ts";
+import { project } from "../scene/project.ts";
+import { fitSpace } from "../scene/space.ts";
 import { type Box, fitView, type View, type ViewTransform } from "../scene/view.ts";
 import type { Lang } from "../words/words.ts";
 import { frame } from "./frame.ts";
@@ -15,7 +17,12 @@ export interface DrawingOptions {
   readonly lang: Lang;
   /** Names of the marks that are pointed at (`Mark.name`). */
   readonly lit?: ReadonlySet<string>;
+  /** About how many facets the surfaces of a window may have; 0 where a renderer draws the surfaces itself. */
+  readonly facets?: number;
 }
+
+/** Enough facets for a still picture. */
+const STILL_FACETS = 1300;
 
 const NONE: ReadonlySet<string> = new Set();
 
@@ -28,6 +35,15 @@ export function displayList(views: Views, scene: Scene, options: DrawingOptions)
   const transforms: Record<string, ViewTransform> = {};
   const primitives: Primitive[] = [];
   for (const [id, view] of Object.entries(views)) {
+    const { space } = view;
+    if (space) {
+      const transform = fitSpace({ ...view, space }, boxes[id]!);
+      transforms[id] = transform;
+      const marks = project(scene[id] ?? [], transform.space, { facets: options.facets ?? STILL_FACETS });
+      // What is projected already lies in the plane of the picture.
+      drawWindow(view, { ...transform.space.plane, space: transform.space }, marks, options, primitives);
+      continue;
+    }
     const transform = fitView(view, boxes[id]!);
     transforms[id] = transform;
     drawWindow(view, transform, scene[id] ?? [], options, primitives);

@@ -10,7 +10,7 @@ import { SIZE } from "./sizes.ts";
 import { ticks } from "./ticks.ts";
 
 /** The least distance of neighbouring grid lines and axis numbers, in pixels. */
-const SPACING = { grid: 44, x: 52, y: 30 };
+const SPACING = { grid: 44, x: 52, y: 36 };
 
 /** The grid and the axes of a window, with numbers as the reader writes them. */
 export function frame(view: View, transform: ViewTransform, lang: Lang): Primitive[] {
@@ -60,33 +60,33 @@ function axes(view: View, { box, x, y, scale, toPixel }: ViewTransform, lang: La
   const put = (ends: readonly Ends[], numbers: readonly Primitive[]) => {
     list.push(lines("axis", ends), ...numbers);
   };
-  // Where no grid leads to the numbers, small strokes do.
-  const stroke = view.grid ? 0 : 4;
+  // Where no grid leads to the numbers, small strokes on the axes do.
+  const stroke = view.grid ? 0 : 3;
   if (shown.x) {
     const { values, digits } = ticks(x, scale[0]!, SPACING.x);
     const places = values.map((value) => toPixel([value, 0])[0]);
     const strokes =
-      stroke > 0 ? places.map((at): Ends => [sharp(at), bottom, sharp(at), bottom + stroke]) : [];
+      stroke > 0 ? places.map((at): Ends => [sharp(at), axisY - stroke, sharp(at), axisY + stroke]) : [];
     put(
       [[box.left, axisY, right, axisY], ...strokes],
       values.map((value, i) =>
         number([places[i]!, bottom + 20], "middle", formatNumber(value, lang, digits)),
       ),
     );
-    if (view.axes?.x) list.push(nameOfX(view.axes.x, lang, right, axisY));
+    if (view.axes?.x?.base) list.push(nameOfX(view.axes.x, lang, right, axisY));
   }
   if (shown.y) {
     const { values, digits } = ticks(y, scale[1]!, SPACING.y);
     const places = values.map((value) => toPixel([0, value])[1]);
     const strokes =
-      stroke > 0 ? places.map((at): Ends => [box.left - stroke, sharp(at), box.left, sharp(at)]) : [];
+      stroke > 0 ? places.map((at): Ends => [axisX - stroke, sharp(at), axisX + stroke, sharp(at)]) : [];
     put(
       [[axisX, box.top, axisX, bottom], ...strokes],
       values.map((value, i) =>
         number([box.left - 8, places[i]! + SIZE.axisNumber * 0.34], "end", formatNumber(value, lang, digits)),
       ),
     );
-    if (view.axes?.y) list.push(nameOfY(view.axes.y, lang, axisX, box.top));
+    if (view.axes?.y?.base) list.push(nameOfY(view.axes.y, lang, axisX, box.top));
   }
   return list;
 }

@@ -1,6 +1,7 @@
 import type {
   ArrowMark,
   DiscMark,
+  FacetsMark,
   LabelMark,
   Mark,
   PathMark,
@@ -51,6 +52,12 @@ export function drawMark(mark: Mark, sheet: Sheet): void {
     case "raster":
       drawRaster(mark, sheet);
       return;
+    case "facets":
+      drawFacets(mark, sheet);
+      return;
+    case "patch":
+    case "ground":
+      throw new RangeError(`mark "${mark.key}": a ${mark.kind} needs a view into space (spaceView)`);
     default: {
       const unknown: never = mark;
       throw new RangeError(`unknown kind of mark: ${JSON.stringify(unknown)}`);
@@ -64,7 +71,12 @@ const POINT_BLEED = 4;
 
 /** What all primitives of a mark share. */
 export function base<P extends Part>(mark: Mark, part: P) {
-  return { role: mark.role, part, ...(mark.index === undefined ? {} : { index: mark.index }) };
+  return {
+    role: mark.role,
+    part,
+    ...(mark.index === undefined ? {} : { index: mark.index }),
+    ...(mark.fade === undefined ? {} : { opacity: mark.fade }),
+  };
 }
 
 const isLit = (mark: Mark, { lit }: Sheet) => mark.name !== undefined && lit.has(mark.name);
@@ -159,7 +171,8 @@ function drawPoint(mark: PointMark, sheet: Sheet): void {
   const at = sheet.transform.toPixel(mark.at);
   if (!inWindow(at, sheet.transform.box)) return;
   const handle = mark.role === "handle";
-  const radius = handle ? SIZE.ring : mark.size === "small" ? SIZE.smallPoint : SIZE.point;
+  const scale = mark.scale ?? 1;
+  const radius = scale * (handle ? SIZE.ring : mark.size === "small" ? SIZE.smallPoint : SIZE.point);
   const circle = (part: Part, r: number) =>
     sheet.primitives.push({ kind: "circle", ...base(mark, part), at, radius: r });
   if (isLit(mark, sheet)) circle("shine", radius + 7);
@@ -169,7 +182,7 @@ function drawPoint(mark: PointMark, sheet: Sheet): void {
   } else {
     const shape = mark.size === "small" ? "disc" : shapeOf(mark.index);
     const part = handle ? "solid" : "point";
-    const r = handle ? SIZE.shape : radius;
+    const r = handle ? scale * SIZE.shape : radius;
     if (shape === "disc") circle(part, r);
     else sheet.primitives.push({ kind: "path", ...base(mark, part), steps: shapeSteps(shape, at, r) });
   }
@@ -232,6 +245,20 @@ function drawArrow(mark: ArrowMark, sheet: Sheet): void {
     ],
     1,
   );
+}
+
+function drawFacets(mark: FacetsMark, { primitives, transform }: Sheet): void {
+  const { space } = transform;
+  if (!space) throw new RangeError(`mark "${mark.key}": facets belong to a view into space`);
+  const facets = mark.facets.map(({ corners, colour }) => ({
+    corners: corners.map((corner) => space.plane.toPixel(corner)),
+    colour,
+  }));
+  const clip = clipOf(
+    facets.flatMap(({ corners }) => corners.map((corner) => ["L", corner] as const)),
+    transform.box,
+  );
+  primitives.push({ kind: "facets", ...base(mark, "solid"), facets, patches: mark.patches, space, ...clip });
 }
 
 function drawRaster(mark: RasterMark, sheet: Sheet): void {

@@ -17,6 +17,12 @@ export type Token =
   | "polygon"
   | "good"
   | "bad"
+  // Surfaces: the darkest and the lightest tone of the side their normals point to, and of the other side.
+  | "front-dim"
+  | "front-lit"
+  | "back-dim"
+  | "back-lit"
+  | "shadow"
   | IndexToken;
 
 /** A colour for every token. */
@@ -79,6 +85,11 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       polygon: "#737a87",
       good: "#0b7050",
       bad: "#b3261e",
+      "front-dim": "#8ba2c4",
+      "front-lit": "#f3f7fc",
+      "back-dim": "#c19c72",
+      "back-lit": "#f8eedd",
+      shadow: "#1b2230",
     },
     INDEX_LIGHT,
   ),
@@ -96,6 +107,11 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       polygon: "#8690a0",
       good: "#4fc79c",
       bad: "#ff8a80",
+      "front-dim": "#1c2f4a",
+      "front-lit": "#5d80ab",
+      "back-dim": "#3a2a17",
+      "back-lit": "#94703f",
+      shadow: "#000000",
     },
     INDEX_DARK,
   ),
@@ -113,6 +129,11 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       polygon: "#666666",
       good: "#0b7050",
       bad: "#b3261e",
+      "front-dim": "#8796ad",
+      "front-lit": "#f7f9fc",
+      "back-dim": "#b3a58f",
+      "back-lit": "#faf6ee",
+      shadow: "#000000",
     },
     INDEX_LIGHT,
   ),
@@ -130,6 +151,11 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       polygon: "CanvasText",
       good: "CanvasText",
       bad: "CanvasText",
+      "front-dim": "GrayText",
+      "front-lit": "Canvas",
+      "back-dim": "GrayText",
+      "back-lit": "Canvas",
+      shadow: "GrayText",
     },
     Array.from({ length: INDEX_COUNT }, () => "CanvasText"),
   ),

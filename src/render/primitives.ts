@@ -1,4 +1,5 @@
-import type { PathStep, Role, XY } from "../scene/marks.ts";
+import type { Facet, PatchMark, PathStep, Role, XY } from "../scene/marks.ts";
+import type { SpaceTransform } from "../scene/space.ts";
 import type { Box, ViewTransform } from "../scene/view.ts";
 import type { Part } from "./roles.ts";
 import type { Font } from "./sizes.ts";
@@ -9,6 +10,8 @@ interface PrimitiveBase {
   readonly index?: number;
   /** The window that cuts this primitive; absent where nothing of it lies outside. */
   readonly clip?: Box;
+  /** Less than 1 for what lies behind a surface. */
+  readonly opacity?: number;
 }
 
 /** A path in pixels; Bézier arcs are the mark's own, mapped. */
@@ -51,8 +54,16 @@ export interface RasterPrimitive extends PrimitiveBase {
   readonly colours: "sequential" | "diverging";
 }
 
+/** The surfaces of a window into space: facets in pixels, from far to near, and what they were made from. */
+export interface FacetsPrimitive extends PrimitiveBase {
+  readonly kind: "facets";
+  readonly facets: readonly Facet[];
+  readonly patches: readonly PatchMark[];
+  readonly space: SpaceTransform;
+}
+
 /** All that a renderer must know how to draw. */
-export type Primitive = PathPrimitive | CirclePrimitive | TextPrimitive | RasterPrimitive;
+export type Primitive = PathPrimitive | CirclePrimitive | TextPrimitive | RasterPrimitive | FacetsPrimitive;
 
 /** A figure in pixels at scale 1, in painting order, and how its windows map to their planes. */
 export interface Drawing {

@@ -6,6 +6,7 @@ import type { Palette } from "./palette.ts";
 import { pngUrl } from "./png.ts";
 import type { Drawing, Primitive, RasterPrimitive, TextPrimitive } from "./primitives.ts";
 import { FONTS, SIZE } from "./sizes.ts";
+import { facetsNode } from "./svg-facets.ts";
 
 /** An element of an SVG as plain data: written to text, or made by createElementNS. */
 export interface SvgNode {
@@ -95,6 +96,8 @@ function draw(primitive: Primitive, colours: Palette | undefined): SvgNode {
       return text(primitive, look, colours);
     case "raster":
       return raster(primitive);
+    case "facets":
+      return facetsNode(primitive, colours);
     default: {
       const unknown: never = primitive;
       throw new RangeError(`unknown primitive: ${JSON.stringify(unknown)}`);
@@ -103,14 +106,16 @@ function draw(primitive: Primitive, colours: Palette | undefined): SvgNode {
 }
 
 /** Classes in a page, presentation attributes in a file of its own. */
-function looks({ role, part, index, kind }: Primitive, colours: Palette | undefined): Attributes {
-  if (kind === "raster") return {};
+function looks({ role, part, index, kind, opacity }: Primitive, colours: Palette | undefined): Attributes {
+  if (kind === "raster" || kind === "facets") return {};
+  const faded: Attributes = opacity === undefined ? {} : { opacity: short(opacity) };
   if (!colours) {
     const entry = index === undefined ? "" : ` i${((Math.trunc(index) % 10) + 10) % 10}`;
-    return { class: `r-${role} p-${part}${entry}` };
+    return { class: `r-${role} p-${part}${entry}`, ...faded };
   }
   const paint = paintOf(role, part, index);
   return {
+    ...faded,
     fill: paint.fill ? colours[paint.fill] : "none",
     ...(paint.fill && paint.fillOpacity < 1 ? { "fill-opacity": paint.fillOpacity } : {}),
     ...(paint.stroke

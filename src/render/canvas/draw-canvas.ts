@@ -2,8 +2,9 @@ import type { PathStep } from "../../scene/marks.ts";
 import type { Box } from "../../scene/view.ts";
 import { type Paint, paintOf } from "../paint.ts";
 import type { Palette } from "../palette.ts";
-import type { Drawing, Primitive, TextPrimitive } from "../primitives.ts";
+import type { Drawing, FacetsPrimitive, Primitive, TextPrimitive } from "../primitives.ts";
 import { FONTS } from "../sizes.ts";
+import { drawFacets } from "./draw-facets.ts";
 import { rasterPicture } from "./raster-picture.ts";
 
 type Context = CanvasRenderingContext2D;
@@ -12,7 +13,13 @@ type Context = CanvasRenderingContext2D;
  * Draws a figure on a canvas whose bitmap is `scale` times as large as the drawing, in both directions. What
  * was there before is wiped out; the canvas stays transparent where nothing is drawn.
  */
-export function drawCanvas(context: Context, drawing: Drawing, palette: Palette, scale: number): void {
+export function drawCanvas(
+  context: Context,
+  drawing: Drawing,
+  palette: Palette,
+  scale: number,
+  paintSurfaces?: (surfaces: FacetsPrimitive) => void,
+): void {
   context.setTransform(scale, 0, 0, scale, 0, 0);
   context.clearRect(0, 0, drawing.width, drawing.height);
   let clip: Box | undefined;
@@ -27,13 +34,14 @@ export function drawCanvas(context: Context, drawing: Drawing, palette: Palette,
         context.clip();
       }
     }
-    draw(context, primitive, palette);
+    if (primitive.kind === "facets" && paintSurfaces) paintSurfaces(primitive);
+    else draw(context, primitive, palette);
   }
   if (clip) context.restore();
 }
 
 function draw(context: Context, primitive: Primitive, palette: Palette): void {
-  const paint = paintOf(primitive.role, primitive.part, primitive.index);
+  const paint = faded(paintOf(primitive.role, primitive.part, primitive.index), primitive.opacity);
   switch (primitive.kind) {
     case "path":
       context.beginPath();
@@ -54,11 +62,23 @@ function draw(context: Context, primitive: Primitive, palette: Palette): void {
       context.drawImage(rasterPicture(context, primitive), left, top, width, height);
       return;
     }
+    case "facets":
+      drawFacets(context, primitive.facets, palette);
+      return;
     default: {
       const unknown: never = primitive;
       throw new RangeError(`unknown primitive: ${JSON.stringify(unknown)}`);
     }
   }
+}
+
+function faded(paint: Paint, opacity = 1): Paint {
+  if (opacity === 1) return paint;
+  return {
+    ...paint,
+    fillOpacity: paint.fillOpacity * opacity,
+    strokeOpacity: paint.strokeOpacity * opacity,
+  };
 }
 
 function trace(context: Context, step: PathStep): void {
@@ -121,7 +141,9 @@ function lettered(
       put(text, at[0]! + dx, at[1]! + dy);
     }
   };
+  context.globalAlpha = paint.fillOpacity;
   // First every rim, then every letter: no rim may cut into the letter before it.
   if (paint.stroke) each((text, x, y) => context.strokeText(text, x, y));
   each((text, x, y) => context.fillText(text, x, y));
+  context.globalAlpha = 1;
 }
