@@ -11,6 +11,7 @@ import { chooser } from "./pages/chooser.ts";
 import { embed } from "./pages/embed.ts";
 import { front } from "./pages/front.ts";
 import { lessonBody } from "./pages/lesson.ts";
+import { notFound } from "./pages/not-found.ts";
 import type { Page, PageContext } from "./pages/page.ts";
 import { renderPage } from "./pages/render-page.ts";
 import type { Problem } from "./problem.ts";
@@ -22,6 +23,8 @@ export interface Site {
   readonly problems: readonly Problem[];
   /** The document of one page. */
   render(page: Page, assets: Assets): string;
+  /** The page that a host shows for addresses that lead nowhere. */
+  notFound(options: Pick<SiteOptions, "policy" | "siteUrl">): string;
 }
 
 export interface SiteOptions {
@@ -46,6 +49,7 @@ export async function openSite({ root, policy, siteUrl }: SiteOptions): Promise<
     pages: listPages(context),
     problems: course.problems,
     render: (page, assets) => renderPage(page, context, { assets, policy, siteUrl }),
+    notFound,
   };
 }
 

@@ -2,6 +2,9 @@ import type { Plugin, Rolldown } from "vite";
 import { type Assets, ENTRIES, type PageAssets } from "../assets.ts";
 import { type Characters, gatherCharacters } from "../fonts/characters.ts";
 import { emitFonts } from "../fonts/emit-fonts.ts";
+import { FACES } from "../fonts/faces.ts";
+import { licencesText, packagesOf } from "../licences.ts";
+import { sitemap } from "../pages/sitemap.ts";
 import { problemsText } from "../problem.ts";
 import type { Site } from "../site.ts";
 import { buildWorkshop, type Workshop } from "../workshop.ts";
@@ -46,11 +49,23 @@ export function pagesInBuild(): Plugin {
         const source = site!.render(page, assets);
         this.emitFile({ type: "asset", fileName: `${page.path}index.html`, source });
       }
+      const home = siteUrl();
+      const add = (fileName: string, source: string) => this.emitFile({ type: "asset", fileName, source });
+      add("404.html", site!.notFound({ policy: true, siteUrl: home }));
+      add("licences.txt", licencesText(root, packagesOf([...modulesOf(bundle), ...FONT_FILES])));
+      if (home !== null) add("sitemap.xml", sitemap(site!.pages, home));
     },
     async closeBundle() {
       await workshop?.close();
     },
   };
+}
+
+/** Files of packages that reach the site other than by a script. */
+const FONT_FILES = FACES.map(({ file }) => `node_modules/${file}`);
+
+function modulesOf(bundle: Rolldown.OutputBundle): string[] {
+  return Object.values(bundle).flatMap((one) => (one.type === "chunk" ? one.moduleIds : []));
 }
 
 /** `SITE_URL` with one slash at its end; null if it is not set. */
