@@ -1,6 +1,6 @@
 import type { Label } from "./label.ts";
 
-/** A point or vector of the plane (the first two entries count). */
+/** A point or vector of the plane (the first two entries count), in a window into space of three coordinates. */
 export type XY = readonly number[];
 
 /**
@@ -23,6 +23,8 @@ export type Role =
   | "bad"
   | "grid"
   | "axis"
+  | "surface"
+  | "shadow" // of a surface, on the ground
   | "note"; // lettering that belongs to no other mark
 
 interface MarkBase {
@@ -33,6 +35,8 @@ interface MarkBase {
   readonly index?: number;
   /** The name by which a formula may tie to this mark. */
   readonly name?: string;
+  /** Opacity of what lies behind a surface, 0 … 1; set by the projection of space. */
+  readonly fade?: number;
 }
 
 /** Lines, and Bézier arcs that stay Bézier arcs in every output. */
@@ -57,6 +61,8 @@ export interface PointMark extends MarkBase {
   readonly size?: "small" | "normal";
   /** Hollow points are results of a construction; full points are given. */
   readonly hollow?: boolean;
+  /** Size as a share of the usual one: what is far is a little smaller. Set by the projection of space. */
+  readonly scale?: number;
 }
 
 /** A weight shown as the area of a disc: full size for 1, hollow with a minus sign where negative. */
@@ -96,8 +102,69 @@ export interface RasterMark extends MarkBase {
   readonly colours: "sequential" | "diverging";
 }
 
+/** What the colour of a surface shows: light, the direction of its normals, a value, or mirrored stripes. */
+export type Shading = "lit" | "normals" | "values" | "stripes";
+
+/**
+ * A surface in space as a grid of samples, row by row: sample (i, j) has its coordinates at 3·(i·columns + j). The rows
+ * run with u, the columns with v; S_u × S_v points to the front side.
+ */
+export interface PatchMark extends MarkBase {
+  readonly kind: "patch";
+  readonly role: "surface";
+  readonly rows: number;
+  readonly columns: number;
+  readonly positions: ArrayLike<number>;
+  /** Unit normals; three zeros where there is none. */
+  readonly normals: ArrayLike<number>;
+  readonly shading?: Shading;
+  /** For `values`: one a sample, NaN where there is none, and the ends of the colour map. */
+  readonly values?: ArrayLike<number>;
+  readonly range?: readonly [number, number];
+}
+
+/** The ground under the things in space: a grid at height z, and their shadow. */
+export interface GroundMark extends MarkBase {
+  readonly kind: "ground";
+  readonly role: "grid";
+  readonly z: number;
+  readonly x: readonly [number, number];
+  readonly y: readonly [number, number];
+  readonly step: number;
+}
+
+/** The colour of a facet: a share between two colours of the theme, a place on a colour map, or a colour as it is. */
+export type FacetColour =
+  | { readonly between: "front" | "back" | "stripes"; readonly share: number }
+  | { readonly map: "diverging"; readonly share: number | null }
+  | { readonly rgb: readonly [number, number, number] };
+
+/** A small piece of a surface in the plane of the picture. */
+export interface Facet {
+  readonly corners: readonly XY[];
+  readonly colour: FacetColour;
+}
+
+/** Surfaces of space, projected: facets from the farthest to the nearest. */
+export interface FacetsMark extends MarkBase {
+  readonly kind: "facets";
+  readonly role: "surface";
+  readonly facets: readonly Facet[];
+  /** The surfaces themselves, for a renderer that can draw them. */
+  readonly patches: readonly PatchMark[];
+}
+
 /** The closed list: a new kind fails to compile wherever marks are drawn, until it is handled. */
-export type Mark = PathMark | PointMark | DiscMark | ArrowMark | LabelMark | RasterMark;
+export type Mark =
+  | PathMark
+  | PointMark
+  | DiscMark
+  | ArrowMark
+  | LabelMark
+  | RasterMark
+  | PatchMark
+  | GroundMark
+  | FacetsMark;
 
 /** The marks of each view of a figure, in painting order. */
 export type Scene = Readonly<Record<string, readonly Mark[]>>;

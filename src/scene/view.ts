@@ -1,10 +1,11 @@
 import type { Words } from "../words/words.ts";
 import type { Label } from "./label.ts";
 import type { XY } from "./marks.ts";
+import type { SpaceTransform, SpaceWindow } from "./space.ts";
 
 export type Interval = readonly [number, number];
 
-/** One window of a figure onto a plane of its own. A figure may have several, linked by the state. */
+/** One window of a figure onto a plane of its own, or into space. A figure may have several, linked by the state. */
 export interface View {
   /** What is seen here, for those who hear it: "Control points and curve". */
   readonly label: Words;
@@ -21,6 +22,8 @@ export interface View {
   readonly grid?: boolean;
   /** Axes with numbers, where the numbers matter. */
   readonly axes?: { readonly x?: Label; readonly y?: Label };
+  /** This window looks into space (made by `spaceView`): its marks have three coordinates. */
+  readonly space?: SpaceWindow;
 }
 
 /** A rectangle of the drawing, in pixels, y downwards. */
@@ -39,6 +42,8 @@ export interface ViewTransform {
   readonly x: Interval;
   readonly y: Interval;
   readonly box: Box;
+  /** Of a window into space only; `toPixel` then takes points of space. */
+  readonly space?: SpaceTransform;
   toPixel(point: XY): readonly [number, number];
   toWorld(pixel: XY): readonly [number, number];
 }
