@@ -1,5 +1,6 @@
 import type { XY } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
+import { inside, lengthInside, overlap } from "./box.ts";
 import type { Obstacles } from "./obstacles.ts";
 
 /** Lettering that looks for its place. */
@@ -18,6 +19,8 @@ export interface LabelRequest {
 }
 
 const GAP = 3;
+/** Labels keep so far apart from each other. */
+const APART = 2;
 /** How much further away than necessary a label may stand. */
 const AWAY = [0, 5, 11, 19, 29, 42];
 const TURNS = 16;
@@ -101,7 +104,7 @@ function best(
   for (const place of directed ? DIRECTED : FREE) {
     if (place.price >= lowest) break;
     const box = boxAt(request, start + place.turn, request.clear + GAP + place.away);
-    if (!inside(box, bounds) || taken.some((other) => overlap(box, other))) continue;
+    if (!inside(box, bounds) || taken.some((other) => overlap(box, other, APART))) continue;
     const covered = disturbance(box, near, lowest - place.price);
     if (place.price + covered < lowest) {
       lowest = place.price + covered;
@@ -131,25 +134,6 @@ function boxAt(request: LabelRequest, angle: number, distance: number): Box {
 
 function boxAround(x: number, y: number, { width, height }: LabelRequest): Box {
   return { left: x - width / 2, top: y - height / 2, width, height };
-}
-
-function inside(box: Box, bounds: Box): boolean {
-  return (
-    box.left >= bounds.left &&
-    box.top >= bounds.top &&
-    box.left + box.width <= bounds.left + bounds.width &&
-    box.top + box.height <= bounds.top + bounds.height
-  );
-}
-
-/** Labels keep two pixels apart. */
-function overlap(a: Box, b: Box): boolean {
-  return (
-    a.left < b.left + b.width + 2 &&
-    b.left < a.left + a.width + 2 &&
-    a.top < b.top + b.height + 2 &&
-    b.top < a.top + a.height + 2
-  );
 }
 
 /** The obstacles within the label's reach. */
@@ -193,24 +177,4 @@ function disturbance(box: Box, { circles, lines }: Obstacles, enough: number): n
     if (length > 0) price += (PRICE.line + length * PRICE.lineLength) * lines[i + 4]!;
   }
   return price;
-}
-
-/** How much of a straight piece runs through a box (the method of Liang and Barsky). */
-function lengthInside(box: Box, x0: number, y0: number, x1: number, y1: number): number {
-  const [dx, dy] = [x1 - x0, y1 - y0];
-  let from = 0;
-  let to = 1;
-  const cut = (direction: number, room: number): boolean => {
-    if (direction === 0) return room >= 0;
-    const t = room / direction;
-    if (direction < 0) from = Math.max(from, t);
-    else to = Math.min(to, t);
-    return from <= to;
-  };
-  const meets =
-    cut(-dx, x0 - box.left) &&
-    cut(dx, box.left + box.width - x0) &&
-    cut(-dy, y0 - box.top) &&
-    cut(dy, box.top + box.height - y0);
-  return meets ? (to - from) * Math.hypot(dx, dy) : 0;
 }
