@@ -1,8 +1,10 @@
+import type { Camera, FlatView } from "../scene/camera.ts";
 import type { Label } from "../scene/label.ts";
 import type { Views } from "../scene/layout.ts";
 import type { Scene } from "../scene/marks.ts";
 import type { Words } from "../words/words.ts";
 import type { Params, State, StateOf } from "./param.ts";
+import { camera } from "./params/camera.ts";
 
 /** What a figure computes: numbers, points, lists, matrices; null for what does not exist. */
 export type Value = number | boolean | string | null | readonly Value[];
@@ -34,8 +36,8 @@ export interface DemoSpec<P extends Params, V extends Values> {
   readout?(state: StateOf<P>, values: V): readonly Reading[];
   /** What is to be seen, in words, for those who cannot see it. */
   describe(state: StateOf<P>, values: V): Words;
-  /** Named states, for links in the text, lecture mode and tests. */
-  readonly states?: Readonly<Record<string, Partial<StateOf<P>>>>;
+  /** Named states, for links in the text, lecture mode and tests; with a camera, where space is looked into. */
+  readonly states?: Readonly<Record<string, Partial<StateOf<P>> & { readonly camera?: Camera | FlatView }>>;
 }
 
 /** A demo with its types forgotten, as player and build see it. */
@@ -52,27 +54,40 @@ const RESERVED = new Set(
  *
  * @throws RangeError if an id is not of the form `[a-z][a-z0-9-]*` or a reserved name, if a named state
  *   names an unknown parameter or holds a value that its parameter refuses.
+ *
+ * A demo that looks into space has its camera as one more parameter, so that address, undo, links and messages know it.
  */
 export function defineDemo<const P extends Params, V extends Values>(spec: DemoSpec<P, V>): Demo {
   // Methods are checked bivariantly, so the erased type is sound as long as states come from these params.
-  const demo = spec as unknown as Demo;
+  const demo = withCamera(spec as unknown as Demo);
   for (const id of [spec.id, ...Object.keys(spec.params)]) {
     if (!/^[a-z][a-z0-9-]*$/.test(id))
       throw new RangeError(`demo ${spec.id}: id "${id}" must match [a-z][a-z0-9-]*`);
   }
   for (const [id, param] of Object.entries(spec.params)) {
-    if (RESERVED.has(id)) throw new RangeError(`demo ${spec.id}: the parameter name "${id}" is reserved`);
+    if (RESERVED.has(id) && Object.hasOwn(spec.params, id))
+      throw new RangeError(`demo ${spec.id}: the parameter name "${id}" is reserved`);
     const read = param.accept(param.initial);
     if (!read.ok) throw new RangeError(`demo ${spec.id}: initial value of "${id}": ${read.problem.en}`);
   }
-  for (const [name, state] of Object.entries(spec.states ?? {})) checkNamedState(demo, name, state);
-  return demo;
+  if (!demo.states) return demo;
+  const named = Object.entries(demo.states).map(([name, state]) => [name, checkedState(demo, name, state)]);
+  return { ...demo, states: Object.fromEntries(named) as Record<string, State> };
 }
 
-function checkNamedState(demo: Demo, name: string, state: State): void {
+function withCamera(demo: Demo): Demo {
+  const window = Object.values(demo.views).find((view) => view.space)?.space;
+  return window ? { ...demo, params: { ...demo.params, camera: camera(window.camera) } } : demo;
+}
+
+/** A named state in the values that its parameters make of it. */
+function checkedState(demo: Demo, name: string, state: State): State {
+  const checked: Record<string, unknown> = {};
   for (const [id, value] of Object.entries(state)) {
     const read = demo.params[id]?.accept(value);
     if (!read) throw new RangeError(`demo ${demo.id}: state "${name}" names the unknown parameter "${id}"`);
     if (!read.ok) throw new RangeError(`demo ${demo.id}: state "${name}": ${id}: ${read.problem.en}`);
+    checked[id] = read.value;
   }
+  return checked;
 }

@@ -1,4 +1,5 @@
 import { label, point } from "../scene/draw.ts";
+import type { Views } from "../scene/layout.ts";
 import type { Mark, Scene, XY } from "../scene/marks.ts";
 import type { Demo } from "./define.ts";
 import type { Handle, Param, State } from "./param.ts";
@@ -9,9 +10,9 @@ export interface BoundHandle extends Handle<unknown> {
 }
 
 /** All handles of a figure in a state, in the order of the declaration. */
-export function handlesOf(demo: Demo, state: State): BoundHandle[] {
+export function handlesOf(demo: Demo, state: State, views: Views = demo.views): BoundHandle[] {
   return Object.entries(demo.params).flatMap(([id, param]: [string, Param<unknown>]) =>
-    param.handles(id, state[id], { state, views: demo.views }).map((handle) => ({ ...handle, param: id })),
+    param.handles(id, state[id], { state, views }).map((handle) => ({ ...handle, param: id })),
   );
 }
 
@@ -35,5 +36,5 @@ function handleMarks(handle: BoundHandle, middle: XY): Mark[] {
 }
 
 function centre(points: readonly XY[]): XY {
-  return [0, 1].map((k) => points.reduce((sum, p) => sum + p[k]!, 0) / points.length);
+  return points[0]!.map((_, k) => points.reduce((sum, p) => sum + p[k]!, 0) / points.length);
 }

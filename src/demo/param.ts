@@ -32,6 +32,7 @@ export interface Handle<T> {
   put(to: XY): T;
   /** The value after one arrow key: `direction` in world axes, `factor` 1, 5 (Shift) or ¼ (Alt). */
   nudge(direction: XY, factor: number): T;
+  // In a window into space, points and directions have three coordinates.
 }
 
 /** One entry of the panel: a number to type or slide, a switch, or a choice. */
@@ -85,7 +86,17 @@ export interface Surroundings {
  * and documentation are derived. Each kind is one file of `params/`.
  */
 export interface Param<T> {
-  readonly type: "number" | "boolean" | "choice" | "points" | "vector" | "list" | "grid" | "net" | "stroke";
+  readonly type:
+    | "number"
+    | "boolean"
+    | "choice"
+    | "points"
+    | "vector"
+    | "list"
+    | "grid"
+    | "net"
+    | "stroke"
+    | "camera";
   readonly label: Words;
   readonly initial: T;
   /** The parameter that play moves, and how many seconds one passage takes. */

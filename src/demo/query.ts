@@ -28,7 +28,7 @@ export function writeQuery(demo: Demo, state: State, base: State): string {
 export function readQuery(demo: Demo, query: string): Checked {
   return readValues(
     demo,
-    splitQuery(query).filter(([id]) => !FRAME.has(id)),
+    splitQuery(query).filter(([id]) => !FRAME.has(id) || Object.hasOwn(demo.params, id)),
   );
 }
 

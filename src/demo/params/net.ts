@@ -69,11 +69,12 @@ export function net(options: NetOptions): Param<Net> {
               value,
               i,
               j,
+              // What does not move keeps its very number, even one with more decimals than dragging leaves.
               place(
                 point.map((x, k) => to[k] ?? x),
                 ranges,
                 precision,
-              ),
+              ).map((x, k) => (Object.is(to[k] ?? point[k], point[k]) ? point[k]! : x)),
             );
           return {
             id: `${id}.${i * columns + j}`,
