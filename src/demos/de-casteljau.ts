@@ -93,8 +93,8 @@ export default defineDemo({
           : `${curve} At t = ${at} it falls into two Bézier curves; the left one has the control points ${a}, the right one ${b}.`;
       if (rounds < n)
         return de
-          ? `${curve} Gezeigt sind ${rounds} von ${n} Runden der Konstruktion bei t = ${at}.`
-          : `${curve} The picture shows ${rounds} of the ${n} rounds of the construction at t = ${at}.`;
+          ? `${curve} Die Konstruktion bei t = ${at} ist bis zur Runde ${rounds} von ${n} gezeigt.`
+          : `${curve} The construction at t = ${at} is shown up to round ${rounds} of ${n}.`;
       return de
         ? `${curve} Bei t = ${at} führt die Konstruktion in ${n} Runden zum Kurvenpunkt ${to}.`
         : `${curve} At t = ${at} the construction leads in ${n} rounds to the curve point ${to}.`;

@@ -5,4 +5,5 @@ export const demos: Readonly<Record<string, () => Promise<{ default: Demo }>>> =
   "bernstein-basis": () => import("./bernstein-basis.ts"),
   "bezier-curve": () => import("./bezier-curve.ts"),
   "de-casteljau": () => import("./de-casteljau.ts"),
+  glyph: () => import("./glyph.ts"),
 };
