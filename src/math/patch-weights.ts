@@ -65,9 +65,8 @@ export function unitNormalInto(
   const vv = vx * vx + vy * vy + vz * vz;
   const length = Math.sqrt(x * x + y * y + z * z);
   const regular = uu > zero * zero && vv > zero * zero && length > relativeZero * Math.sqrt(uu * vv);
-  const factor = regular ? 1 / length : 0;
-  out[at] = x * factor;
-  out[at + 1] = y * factor;
-  out[at + 2] = z * factor;
+  out[at] = regular ? x / length : 0;
+  out[at + 1] = regular ? y / length : 0;
+  out[at + 2] = regular ? z / length : 0;
   return regular;
 }
