@@ -20,15 +20,22 @@ export function readHash(hash: string): Place | null {
   return figure ? { figure, query: hash.slice(cut + 1) } : null;
 }
 
-/** Puts a figure into a state, gliding, and brings it into view if it is out of sight. */
-export async function show({ figure, query }: Place, glide: boolean): Promise<void> {
-  const { top, bottom } = figure.getBoundingClientRect();
-  const unseen = bottom < 120 || top > innerHeight - 120;
-  if (unseen) {
-    const calm = !glide || matchMedia("(prefers-reduced-motion: reduce)").matches;
-    figure.scrollIntoView({ block: "start", behavior: calm ? "instant" : "smooth" });
+/** Puts a figure into a state, gliding, and brings it into view if less than most of it is seen. */
+export async function show({ figure, query }: Place): Promise<void> {
+  const stage = figure.querySelector("curve-demo") ?? figure;
+  const { top, bottom, height } = stage.getBoundingClientRect();
+  const seen = Math.min(bottom, innerHeight) - Math.max(top, 0);
+  if (seen < 0.8 * Math.min(height, innerHeight)) {
+    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    stage.scrollIntoView({ block: "nearest", behavior: calm ? "instant" : "smooth" });
   }
-  (await demoOf(figure))?.applyQuery(query, { glide });
+  (await demoOf(figure))?.applyQuery(query, { glide: true });
+}
+
+/** Opens the page at a figure, in a state: nothing glides, since nothing was seen before. */
+async function open({ figure, query }: Place): Promise<void> {
+  figure.scrollIntoView({ block: "start", behavior: "instant" });
+  (await demoOf(figure))?.applyQuery(query);
 }
 
 /**
@@ -37,9 +44,9 @@ export async function show({ figure, query }: Place, glide: boolean): Promise<vo
  * the page; undo is the figure's own.
  */
 export function figureHash(main: HTMLElement): void {
-  const open = (glide: boolean) => {
+  const openHash = () => {
     const place = readHash(location.hash);
-    if (place) void show(place, glide);
+    if (place) void open(place);
   };
   main.addEventListener("statechange", (event) => {
     const { committed } = (event as CustomEvent<Change>).detail;
@@ -47,8 +54,8 @@ export function figureHash(main: HTMLElement): void {
     const figure = demo.closest("figure[id]");
     if (committed && figure) write(figure.id, demo.query);
   });
-  addEventListener("hashchange", () => open(true));
-  open(false);
+  addEventListener("hashchange", openHash);
+  openHash();
 }
 
 function write(id: string, query: string): void {

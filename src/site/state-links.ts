@@ -16,7 +16,7 @@ export function stateLinks(main: HTMLElement): void {
     link.addEventListener("click", (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
       event.preventDefault();
-      void show(place, true);
+      void show(place);
     });
   }
   const look = (event: Event) => {

@@ -9,8 +9,8 @@ export function chooserPage(): Html {
     '<main class="chooser">',
     `<h1>${logo()}<span class="wordmark">${SITE_NAME}</span></h1>`,
     '<ul class="languages">',
-    choice("de", "Deutsch", "Kurven und Flächen, zum Anfassen erklärt."),
-    choice("en", "English", "Curves and surfaces, explained by hand."),
+    choice("de", "Deutsch", "Kurven und Flächen zum Anfassen"),
+    choice("en", "English", "Curves and surfaces to take hold of"),
     "</ul>",
     "</main>",
   );

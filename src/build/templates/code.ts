@@ -7,5 +7,6 @@ export function code(data: CodeData): Html {
   const source = data.source
     ? `<figcaption>${escapeHtml(WORDS[data.lang].codeFrom(data.source))}</figcaption>`
     : "";
-  return `<figure class="code"><pre><code>${data.html}</code></pre>${source}</figure>`;
+  const label = escapeHtml(WORDS[data.lang].code);
+  return `<figure class="code"><pre data-label="${label}"><code>${data.html}</code></pre>${source}</figure>`;
 }

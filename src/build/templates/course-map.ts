@@ -31,17 +31,17 @@ function row(lesson: MapLesson, all: readonly MapLesson[], lang: FrontPage["lang
   const notes = [words.minutes(lesson.minutes), ...(lesson.addition ? [words.addition] : [])].join(" · ");
   return lines(
     `<li${attributes({ id: `map-${lesson.id}` })}>`,
-    ...before.map((one) => arc(place - all.indexOf(one))),
-    `<a${attributes({ href: root + lesson.href })}><span class="number">${lesson.number}</span> ${escapeHtml(lesson.title)}</a>`,
+    ...before.map((one) => arc(place - all.indexOf(one), all.length - 1)),
+    `<a${attributes({ href: root + lesson.href })}><span class="number">${lesson.number}</span><span class="map-title">${escapeHtml(lesson.title)}</span></a>`,
     `<p class="map-lead">${lesson.lead}</p>`,
     `<p class="map-notes">${notes}${before.length > 0 ? `<span class="map-before"> · ${words.buildsOn} ${before.map(({ title }) => escapeHtml(title)).join(", ")}</span>` : ""}</p>`,
     "</li>",
   );
 }
 
-/** An arc over so many rows: the farther, the wider. */
-function arc(rows: number): Html {
-  const left = Math.max(0, 82 - 18 * rows);
+/** An arc over so many rows: the farther, the wider; the longest one fills the space beside the list. */
+function arc(rows: number, most: number): Html {
+  const left = Math.round(100 - 130 * Math.sqrt(rows / most));
   const style = `--rows:${rows}`;
   return `<svg${attributes({ class: "arc", viewBox: "0 0 100 100", preserveAspectRatio: "none", "aria-hidden": "true", style })}><path d="M100 0C${left} 0 ${left} 100 100 100" vector-effect="non-scaling-stroke"/></svg>`;
 }

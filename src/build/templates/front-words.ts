@@ -37,7 +37,7 @@ export const FRONT_WORDS: Readonly<Record<Lang, FrontWords>> = {
     begin: "Zur ersten Lektion",
     map: "Zum Kursplan",
     heroCaption:
-      "<strong>Wenige Punkte führen die ganze Kurve.</strong> Ziehen Sie an einem davon, oder verschieben Sie t.",
+      "<strong>Wenige Punkte führen die ganze Kurve.</strong> Ziehen Sie an einem davon, oder verschieben Sie <i>t</i>.",
     heroLesson: (link) => `Wie die Konstruktion geht, erklärt die Lektion ${link}.`,
     usesTitle: "Wo solche Kurven arbeiten",
     uses: [
@@ -81,7 +81,7 @@ export const FRONT_WORDS: Readonly<Record<Lang, FrontWords>> = {
     moreIn: "Mehr dazu:",
     mapTitle: "Der Kurs",
     mapIntro:
-      "Ein Bogen verbindet jede Lektion mit denen, auf denen sie aufbaut. Wer schon etwas weiß, steigt dort ein, wo es neu wird.",
+      "Jede Lektion zeigt, auf welchen anderen sie aufbaut. Wer schon etwas weiß, steigt dort ein, wo es neu wird.",
     buildsOn: "Baut auf:",
     minutes: (minutes) => `${minutes} Minuten`,
     addition: "Ergänzung",
@@ -103,7 +103,8 @@ export const FRONT_WORDS: Readonly<Record<Lang, FrontWords>> = {
     lead: "How do you describe a shape that neither ruler nor compass can draw, so that a computer can render it and a person can steer it? This course answers with figures that you move yourself.",
     begin: "To the first lesson",
     map: "To the course map",
-    heroCaption: "<strong>A handful of points steers the whole curve.</strong> Drag one of them, or slide t.",
+    heroCaption:
+      "<strong>A handful of points steers the whole curve.</strong> Drag one of them, or slide <i>t</i>.",
     heroLesson: (link) => `How the construction works is told in the lesson ${link}.`,
     usesTitle: "Where such curves are at work",
     uses: [
@@ -147,7 +148,7 @@ export const FRONT_WORDS: Readonly<Record<Lang, FrontWords>> = {
     moreIn: "More in:",
     mapTitle: "The course",
     mapIntro:
-      "An arc joins each lesson to those it builds on. If you know some of it already, start where it becomes new.",
+      "Each lesson shows which others it builds on. If you know some of it already, start where it becomes new.",
     buildsOn: "Builds on:",
     minutes: (minutes) => `${minutes} minutes`,
     addition: "Addition",

@@ -214,6 +214,12 @@ export interface StateLinkData {
   readonly html: Html;
 }
 
+/** `table.ts`: html is the whole `<table>…</table>`. */
+export interface TableData {
+  readonly lang: Lang;
+  readonly html: Html;
+}
+
 /** `code.ts`: lines of `src/math`, highlighted or plain, with where they are taken from. */
 export interface CodeData {
   readonly lang: Lang;

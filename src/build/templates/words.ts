@@ -28,6 +28,8 @@ export interface PageWords {
   readonly textLicence: string;
   readonly codeLicence: string;
   readonly formula: string;
+  readonly code: string;
+  readonly table: string;
   readonly guess: string;
   readonly answer: string;
   readonly rightAnswer: string;
@@ -61,6 +63,8 @@ export const WORDS: Readonly<Record<Lang, PageWords>> = {
     textLicence: "Text und Bilder: CC BY 4.0",
     codeLicence: "Programm: MIT-Lizenz",
     formula: "Formel",
+    code: "Programmzeilen",
+    table: "Tabelle",
     guess: "Ihre Vermutung",
     answer: "Auflösen",
     rightAnswer: "richtig",
@@ -102,6 +106,8 @@ export const WORDS: Readonly<Record<Lang, PageWords>> = {
     textLicence: "Text and pictures: CC BY 4.0",
     codeLicence: "Program: MIT licence",
     formula: "Formula",
+    code: "Lines of the program",
+    table: "Table",
     guess: "Your guess",
     answer: "Show the answer",
     rightAnswer: "right",

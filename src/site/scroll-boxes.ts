@@ -1,8 +1,8 @@
 /**
- * A formula wider than its box can be scrolled by keys as well: it takes the focus, and says what it is. The
- * others stay out of the way of the Tab key.
+ * What is wider than its box (a formula, lines of code, a table) can be scrolled by keys as well: then the box
+ * takes the focus, and says what it is. The others stay out of the way of the Tab key.
  */
-export function formulas(boxes: Iterable<HTMLElement>): void {
+export function scrollBoxes(boxes: Iterable<HTMLElement>): void {
   const seen = new Set<HTMLElement>();
   const look = (box: HTMLElement) => {
     if (box.scrollWidth > box.clientWidth + 1) {
