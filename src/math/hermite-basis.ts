@@ -43,17 +43,18 @@ function startPolynomial(m: number, k: number): bigint[] {
   return product;
 }
 
-/** Ascending coefficients of q(1 − t). */
+/** Ascending coefficients of q(1 − t), from the inside out (Horner). */
 function mirrored(q: readonly bigint[]): bigint[] {
-  return q.reduceRight<bigint[]>((value, c) => {
-    const next = times(value, [1n, -1n]);
-    next[0] = (next[0] ?? 0n) + c;
-    return next;
-  }, []);
+  const highest = q.length - 1;
+  let value = [q[highest]!];
+  for (let i = highest - 1; i >= 0; i--) {
+    value = times(value, [1n, -1n]);
+    value[0] = value[0]! + q[i]!;
+  }
+  return value;
 }
 
 function times(p: readonly bigint[], [b0, b1]: readonly [bigint, bigint]): bigint[] {
-  if (p.length === 0) return [];
   return [...p, 0n].map((c, i) => c * b0 + (i > 0 ? p[i - 1]! * b1 : 0n));
 }
 

@@ -44,8 +44,8 @@ function insertOnce({ degree, knots, controlPoints }: BSpline, t: number): BSpli
     if (i === d.length || knots[i]! >= t) return d[i - 1]!;
     return lerp(d[i - 1]!, d[i]!, (t - knots[i]!) / (knots[i + degree]! - knots[i]!));
   });
-  const place = knots.findIndex((knot) => knot > t);
-  const at = place < 0 ? knots.length : place;
+  // There is a greater knot: t itself occurs at most p times, and p knots follow the end of the domain.
+  const at = knots.findIndex((knot) => knot > t);
   return { degree, knots: [...knots.slice(0, at), t, ...knots.slice(at)], controlPoints: refined };
 }
 

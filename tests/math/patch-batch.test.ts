@@ -15,14 +15,12 @@ import {
 } from "../../src/math/index.ts";
 import { forAll, point, size, unit } from "./property.ts";
 
-const net = fc
-  .tuple(fc.integer({ min: 0, max: 5 }), fc.integer({ min: 0, max: 5 }))
-  .chain(([m, n]) =>
-    fc.array(fc.array(point(3), { minLength: n + 1, maxLength: n + 1 }), {
-      minLength: m + 1,
-      maxLength: m + 1,
-    }),
-  );
+const net = fc.tuple(fc.integer({ min: 0, max: 5 }), fc.integer({ min: 0, max: 5 })).chain(([m, n]) =>
+  fc.array(fc.array(point(3), { minLength: n + 1, maxLength: n + 1 }), {
+    minLength: m + 1,
+    maxLength: m + 1,
+  }),
+);
 const degrees = (c: ControlNet) => [c.length - 1, c[0]!.length - 1] as const;
 const at = (flat: ArrayLike<number>, k: number): Point => [flat[3 * k]!, flat[3 * k + 1]!, flat[3 * k + 2]!];
 
