@@ -1,7 +1,8 @@
 import type { LabelMark } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
 import type { Lang } from "../words/words.ts";
-import { type LabelRequest, placeLabels } from "./place-labels.ts";
+import type { LabelRequest } from "./label-request.ts";
+import { placeLabels } from "./place-labels.ts";
 import { type SetText, setLabel } from "./set-label.ts";
 import { base, inWindow, type Sheet } from "./sheet.ts";
 

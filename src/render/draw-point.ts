@@ -1,5 +1,6 @@
 import type { DiscMark, PointMark } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
+import { COVERED } from "./obstacles.ts";
 import type { Part } from "./roles.ts";
 import { shapeOf, shapeSteps } from "./shapes.ts";
 import { base, clipOf, inWindow, isLit, type Sheet } from "./sheet.ts";
@@ -25,7 +26,12 @@ export function drawPoint(mark: PointMark, sheet: Sheet): void {
     if (shape === "disc") circle(part, r);
     else sheet.primitives.push({ kind: "path", ...base(mark, part), steps: shapeSteps(shape, at, r) });
   }
-  sheet.obstacles.circles.push({ x: at[0], y: at[1], r: radius + 1, hard: handle });
+  sheet.obstacles.circles.push({
+    x: at[0],
+    y: at[1],
+    r: radius + 1,
+    price: handle ? COVERED.handle : COVERED.point,
+  });
 }
 
 /** The radius that shows the weight 1, in pixels. */
@@ -54,7 +60,7 @@ export function drawDisc(mark: DiscMark, sheet: Sheet): void {
   const radius = discUnit(box) * Math.sqrt(Math.abs(mark.weight));
   const circle = { kind: "circle", at, radius, ...cut(at, radius - DISC_BLEED, box) } as const;
   if (isLit(mark, sheet)) sheet.primitives.push({ ...base(mark, "shine"), ...circle, radius: radius + 5 });
-  sheet.obstacles.circles.push({ x: at[0], y: at[1], r: radius, hard: false });
+  sheet.obstacles.circles.push({ x: at[0], y: at[1], r: radius, price: COVERED.disc });
   if (mark.weight > 0) {
     sheet.primitives.push({ ...base(mark, "disc"), ...circle });
     return;
@@ -66,5 +72,5 @@ export function drawDisc(mark: DiscMark, sheet: Sheet): void {
   sheet.primitives.push({ kind: "circle", ...base(mark, "hollow"), at: badge, radius: 6 });
   const steps = [["M", [badge[0] - 3, badge[1]]] as const, ["L", [badge[0] + 3, badge[1]]] as const];
   sheet.primitives.push({ kind: "path", ...base(mark, "outline"), steps });
-  sheet.obstacles.circles.push({ x: badge[0], y: badge[1], r: 7, hard: false });
+  sheet.obstacles.circles.push({ x: badge[0], y: badge[1], r: 7, price: COVERED.point });
 }

@@ -1,9 +1,20 @@
 import type { PathStep } from "../scene/marks.ts";
 
+/** Something round, and what it costs to cover it, in pixels of detour. */
+export interface Round {
+  readonly x: number;
+  readonly y: number;
+  readonly r: number;
+  readonly price: number;
+}
+
+/** Handles are never covered; points where it can be helped; through a disc letters are still read. */
+export const COVERED = { handle: Number.POSITIVE_INFINITY, point: 40, disc: 5 };
+
 /** What lettering keeps away from, in pixels. */
 export interface Obstacles {
-  /** Handles must never be covered; other points and the rims of discs are avoided where possible. */
-  readonly circles: { readonly x: number; readonly y: number; readonly r: number; readonly hard: boolean }[];
+  /** Points and discs. */
+  readonly circles: Round[];
   /** Straight pieces of lines, four numbers each, with a weight as the fifth. */
   readonly lines: number[];
 }

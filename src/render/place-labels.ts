@@ -1,38 +1,27 @@
-import type { XY } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
 import { inside, lengthInside, overlap } from "./box.ts";
-import type { Obstacles } from "./obstacles.ts";
-
-/** Lettering that looks for its place. */
-export interface LabelRequest {
-  readonly at: XY;
-  readonly width: number;
-  readonly height: number;
-  /** Radius that is taken at the point itself. */
-  readonly clear: number;
-  /** The preferred direction in pixels (y downwards); absent or zero: none. */
-  readonly toward?: XY;
-  /** Stands exactly on its point and is only kept clear of. */
-  readonly fixed: boolean;
-  /** Labels of a lower rank choose first. */
-  readonly rank: number;
-}
+import { freeSide } from "./free-side.ts";
+import { boxAround, boxAt, type LabelRequest } from "./label-request.ts";
+import { COVERED, type Obstacles } from "./obstacles.ts";
 
 const GAP = 3;
 /** Labels keep so far apart from each other. */
 const APART = 2;
 /** How much further away than necessary a label may stand. */
 const AWAY = [0, 5, 11, 19, 29, 42];
-const TURNS = 16;
+const TURNS = 24;
 
 /** Prices of a place, in about "pixels of detour". */
-const PRICE = { turn: 26, turnFree: 7, away: 0.9, line: 7, lineLength: 0.45, point: 40 };
+const PRICE = { turn: 26, turnFree: 20, away: 0.9, line: 5, lineLength: 0.4 };
 
-interface Place {
+/** The angle from the preferred direction, and how much further away than necessary. */
+interface Spot {
   readonly turn: number;
   readonly away: number;
-  readonly price: number;
 }
+
+const priceOf = ({ turn, away }: Spot, turnPrice: number) =>
+  (Math.abs(turn) / Math.PI) * turnPrice + away * PRICE.away;
 
 /** Where a label stands. */
 export interface PlacedLabel {
@@ -41,22 +30,23 @@ export interface PlacedLabel {
   readonly crossed: boolean;
 }
 
-/** All places that are tried, cheapest first, so that the search can stop early. */
-function places(turnPrice: number): Place[] {
-  const all: Place[] = [];
+const STEP = (2 * Math.PI) / TURNS;
+/** So many directions are tried on both sides of the best one. */
+const FINE = 3;
+
+/** All spots that are tried, cheapest first, so that the search can stop early. */
+function spots(turnPrice: number): Spot[] {
+  const all: Spot[] = [];
   for (let k = 0; k < TURNS; k++) {
     // 0, +1, −1, +2, −2, … steps away from the preferred direction.
-    const steps = k % 2 === 1 ? (k + 1) / 2 : -k / 2;
-    const turn = (steps * 2 * Math.PI) / TURNS;
-    for (const away of AWAY) {
-      all.push({ turn, away, price: (Math.abs(turn) / Math.PI) * turnPrice + away * PRICE.away });
-    }
+    const turn = STEP * (k % 2 === 1 ? (k + 1) / 2 : -k / 2);
+    for (const away of AWAY) all.push({ turn, away });
   }
-  return all.sort((a, b) => a.price - b.price);
+  return all.sort((a, b) => priceOf(a, turnPrice) - priceOf(b, turnPrice));
 }
 
-const DIRECTED = places(PRICE.turn);
-const FREE = places(PRICE.turnFree);
+const DIRECTED = spots(PRICE.turn);
+const FREE = spots(PRICE.turnFree);
 
 /**
  * Finds a place for each label: beside its point, inside the bounds, never on a handle or on another label,
@@ -73,7 +63,7 @@ export function placeLabels(
   const result: (PlacedLabel | null)[] = requests.map((request) => {
     if (!request.fixed) return null;
     const box = boxAround(request.at[0]!, request.at[1]!, request);
-    return { box, crossed: disturbance(box, nearby(request, obstacles), 1) > 0 };
+    return { box, crossed: isCrossed(box, nearby(request, obstacles)) };
   });
   const order = requests
     .map((request, i) => ({ request, i }))
@@ -96,44 +86,33 @@ function best(
 ): PlacedLabel | null {
   const [tx, ty] = request.toward ?? [0, 0];
   const directed = Math.hypot(tx!, ty!) > 1e-9;
-  // Without a wish, to the upper right: where a reader looks for a name.
-  const start = directed ? Math.atan2(ty!, tx!) : -Math.PI / 4;
   const near = nearby(request, obstacles);
-  let found: PlacedLabel | null = null;
+  const start = directed ? Math.atan2(ty!, tx!) : freeSide(request, near);
+  const turnPrice = directed ? PRICE.turn : PRICE.turnFree;
+  let found: (Spot & { readonly box: Box }) | null = null;
   let lowest = Number.POSITIVE_INFINITY;
-  for (const place of directed ? DIRECTED : FREE) {
-    if (place.price >= lowest) break;
-    const box = boxAt(request, start + place.turn, request.clear + GAP + place.away);
-    if (!inside(box, bounds) || taken.some((other) => overlap(box, other, APART))) continue;
-    const covered = disturbance(box, near, lowest - place.price);
-    if (place.price + covered < lowest) {
-      lowest = place.price + covered;
-      found = { box, crossed: covered > 0 };
-    }
+  const look = (spot: Spot): void => {
+    const price = priceOf(spot, turnPrice);
+    if (price >= lowest) return;
+    const box = boxAt(request, start + spot.turn, request.clear + GAP + spot.away);
+    if (!inside(box, bounds) || taken.some((other) => overlap(box, other, APART))) return;
+    const covered = disturbance(box, near, lowest - price);
+    if (price + covered >= lowest) return;
+    lowest = price + covered;
+    found = { box, ...spot };
+  };
+  for (const spot of directed ? DIRECTED : FREE) {
+    if (priceOf(spot, turnPrice) >= lowest) break;
+    look(spot);
   }
-  return found;
-}
-
-/** The box whose nearest point is `distance` from the label's point, in the given direction. */
-function boxAt(request: LabelRequest, angle: number, distance: number): Box {
-  const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
-  const [ax, ay] = [Math.abs(dx), Math.abs(dy)];
-  const [a, b] = [request.width / 2, request.height / 2];
-  const beside = (distance + a) / ax;
-  const above = (distance + b) / ay;
-  let reach: number;
-  if (beside * ay <= b) reach = beside;
-  else if (above * ax <= a) reach = above;
-  else {
-    // A corner is nearest: |(reach·ax − a, reach·ay − b)| = distance.
-    const m = ax * a + ay * b;
-    reach = m + Math.sqrt(Math.max(0, m * m - (a * a + b * b - distance * distance)));
+  const coarse = found as (Spot & { readonly box: Box }) | null;
+  if (!coarse) return null;
+  // Between the directions tried, so that a label slides with its surroundings and does not hop.
+  for (let k = -FINE; k <= FINE; k++) {
+    if (k !== 0) look({ turn: coarse.turn + (k * STEP) / (FINE + 1), away: coarse.away });
   }
-  return boxAround(request.at[0]! + dx * reach, request.at[1]! + dy * reach, request);
-}
-
-function boxAround(x: number, y: number, { width, height }: LabelRequest): Box {
-  return { left: x - width / 2, top: y - height / 2, width, height };
+  const { box } = found ?? coarse;
+  return { box, crossed: isCrossed(box, near) };
 }
 
 /** The obstacles within the label's reach. */
@@ -159,12 +138,11 @@ const AIR = 2.5;
 /** What a place costs by what it covers; infinite on a handle. Stops once it is more than `enough`. */
 function disturbance(box: Box, { circles, lines }: Obstacles, enough: number): number {
   let price = 0;
-  for (const { x, y, r, hard } of circles) {
+  for (const { x, y, r, price: cost } of circles) {
     const dx = Math.max(box.left - x, 0, x - box.left - box.width);
     const dy = Math.max(box.top - y, 0, y - box.top - box.height);
     if (dx * dx + dy * dy >= (r + 1) * (r + 1)) continue;
-    if (hard) return Number.POSITIVE_INFINITY;
-    price += PRICE.point;
+    price += cost;
   }
   const wide: Box = {
     left: box.left - AIR,
@@ -177,4 +155,9 @@ function disturbance(box: Box, { circles, lines }: Obstacles, enough: number): n
     if (length > 0) price += (PRICE.line + length * PRICE.lineLength) * lines[i + 4]!;
   }
   return price;
+}
+
+/** Whether a line or a point runs through a box. */
+function isCrossed(box: Box, { circles, lines }: Obstacles): boolean {
+  return disturbance(box, { circles: circles.filter(({ price }) => price > COVERED.disc), lines }, 1) > 0;
 }
