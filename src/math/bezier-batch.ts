@@ -1,4 +1,4 @@
-import { bernstein } from "./bernstein.ts";
+import { bernstein, binomial } from "./bernstein.ts";
 
 /*
  * Bézier curves on flat coordinates, for everything drawn or tessellated. Control point i has its coordinates at
@@ -39,41 +39,73 @@ export function bezierPointInto(
   t: number,
   at = 0,
 ): void {
-  const s = 1 - t;
   const end = controlPoints.length - dimension;
-  if (end === 3 * dimension) {
-    const w0 = s * s * s;
-    const w1 = 3 * s * s * t;
-    const w2 = 3 * s * t * t;
-    const w3 = t * t * t;
-    for (let axis = 0; axis < dimension; axis++) {
-      out[at + axis] =
-        w0 * controlPoints[axis]! +
-        w1 * controlPoints[dimension + axis]! +
-        w2 * controlPoints[2 * dimension + axis]! +
-        w3 * controlPoints[3 * dimension + axis]!;
-    }
-    return;
-  }
-  const n = end / dimension;
-  if (n > 60) {
-    for (let axis = 0; axis < dimension; axis++) out[at + axis] = 0;
-    for (let i = 0; i <= n; i++) {
-      const weight = bernstein(n, i, t);
-      for (let axis = 0; axis < dimension; axis++)
-        out[at + axis]! += weight * controlPoints[i * dimension + axis]!;
-    }
+  if (end === 3 * dimension) cubicInto(out, controlPoints, dimension, t, at);
+  else if (end <= 60 * dimension) hornerInto(out, controlPoints, dimension, t, at);
+  else sumInto(out, controlPoints, dimension, t, at);
+}
+
+function cubicInto(out: Out, c: ArrayLike<number>, dimension: number, t: number, at: number): void {
+  const s = 1 - t;
+  const w0 = s * s * s;
+  const w1 = 3 * s * s * t;
+  const w2 = 3 * s * t * t;
+  const w3 = t * t * t;
+  if (dimension === 2) {
+    // The most drawn case, without the loop.
+    out[at] = w0 * c[0]! + w1 * c[2]! + w2 * c[4]! + w3 * c[6]!;
+    out[at + 1] = w0 * c[1]! + w1 * c[3]! + w2 * c[5]! + w3 * c[7]!;
     return;
   }
   for (let axis = 0; axis < dimension; axis++) {
-    let weight = 1; // (n over i) · tⁱ
-    let sum = controlPoints[axis]!;
-    for (let i = 1; i <= n; i++) {
-      weight = (weight * t * (n - i + 1)) / i;
-      sum = sum * s + weight * controlPoints[i * dimension + axis]!;
-    }
-    out[at + axis] = sum;
+    out[at + axis] =
+      w0 * c[axis]! +
+      w1 * c[dimension + axis]! +
+      w2 * c[2 * dimension + axis]! +
+      w3 * c[3 * dimension + axis]!;
   }
+}
+
+/** Horner's scheme: from ((b_0·s + n·t·b_1)·s + …)·s + tⁿ·b_n, s = 1 − t, two coordinates at a time. */
+function hornerInto(out: Out, c: ArrayLike<number>, dimension: number, t: number, at: number): void {
+  const s = 1 - t;
+  const n = c.length / dimension - 1;
+  const row = binomialRow(n);
+  for (let axis = 0; axis < dimension; axis += 2) {
+    const both = axis + 1 < dimension ? 1 : 0;
+    let power = 1;
+    let x = c[axis]!;
+    let y = c[axis + both]!;
+    for (let i = 1, k = axis + dimension; i <= n; i++, k += dimension) {
+      power *= t;
+      const weight = row[i]! * power;
+      x = x * s + weight * c[k]!;
+      y = y * s + weight * c[k + both]!;
+    }
+    out[at + axis] = x;
+    out[at + axis + both] = y;
+  }
+}
+
+function sumInto(out: Out, c: ArrayLike<number>, dimension: number, t: number, at: number): void {
+  const n = c.length / dimension - 1;
+  for (let axis = 0; axis < dimension; axis++) out[at + axis] = 0;
+  for (let i = 0; i <= n; i++) {
+    const weight = bernstein(n, i, t);
+    for (let axis = 0; axis < dimension; axis++) out[at + axis]! += weight * c[i * dimension + axis]!;
+  }
+}
+
+/** Rows of Pascal's triangle, made when first needed. */
+const rows: Float64Array[] = [];
+
+function binomialRow(n: number): Float64Array {
+  let row = rows[n];
+  if (!row) {
+    row = Float64Array.from({ length: n + 1 }, (_, i) => binomial(n, i));
+    rows[n] = row;
+  }
+  return row;
 }
 
 /** Writes the points of a Bézier curve at all parameters `ts` to `out`, one after another. */
@@ -119,7 +151,7 @@ export function bezierPolylineInto(
 /**
  * Writes the first derivative of a Bézier curve at t to `out`, from index `at` on; the zero vector for degree 0.
  *
- * Any degree and dimension; t in [0, 1].
+ * Any degree up to 60 and any dimension; t in [0, 1].
  */
 export function bezierDerivativeInto(
   out: Out,
@@ -129,14 +161,14 @@ export function bezierDerivativeInto(
   at = 0,
 ): void {
   const n = controlPoints.length / dimension - 1;
+  const row = binomialRow(Math.max(0, n - 1));
   const s = 1 - t;
   for (let axis = 0; axis < dimension; axis++) {
-    let weight = 1; // (n − 1 over i) · tⁱ
+    let power = 1;
     let sum = 0;
-    for (let i = 0; i < n; i++) {
-      if (i > 0) weight *= (t * (n - i)) / i;
-      const leg = controlPoints[(i + 1) * dimension + axis]! - controlPoints[i * dimension + axis]!;
-      sum = sum * s + weight * leg;
+    for (let i = 0, k = axis; i < n; i++, k += dimension) {
+      sum = sum * s + row[i]! * power * (controlPoints[k + dimension]! - controlPoints[k]!);
+      power *= t;
     }
     out[at + axis] = n * sum;
   }

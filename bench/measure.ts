@@ -1,0 +1,33 @@
+/** One way to do a job: `run` does it `operations` times and returns a number that depends on every result. */
+export type Contender = { readonly name: string; readonly operations: number; readonly run: () => number };
+
+/** Time per operation in nanoseconds, by contender. */
+export type Times = Readonly<Record<string, number>>;
+
+let sink = 0;
+
+/**
+ * Times contenders against each other: in every round each runs once, in turn, so that whatever slows the machine down
+ * slows all of them; the medians of the rounds are compared.
+ */
+export function measure(contenders: readonly Contender[], rounds = 31): Times {
+  for (const { run } of contenders) for (let k = 0; k < 3; k++) sink += run();
+  const samples = contenders.map((): number[] => []);
+  for (let round = 0; round < rounds; round++) {
+    contenders.forEach(({ run, operations }, i) => {
+      const start = performance.now();
+      sink += run();
+      samples[i]!.push(((performance.now() - start) * 1e6) / operations);
+    });
+  }
+  return Object.fromEntries(contenders.map(({ name }, i) => [name, median(samples[i]!)]));
+}
+
+/** The sum of all results, to be printed: work whose result nobody reads could be left out by the compiler. */
+export function checksum(): number {
+  return sink;
+}
+
+function median(values: readonly number[]): number {
+  return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]!;
+}
