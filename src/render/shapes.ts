@@ -1,17 +1,20 @@
 import type { PathStep, XY } from "../scene/marks.ts";
 import { INDEX_COUNT } from "./palette.ts";
 
-/** The shapes that tell the entries of the index palette apart without colour, in its order. */
+/**
+ * The shapes that tell the entries of the index palette apart without colour, in its order. None of them is
+ * a sign: a plus or a cross in a handle would look like a button.
+ */
 export const SHAPES = [
   "disc",
   "square",
   "diamond",
   "triangle",
-  "plus",
-  "down",
   "star",
-  "bar",
-  "cross",
+  "down",
+  "hourglass",
+  "half",
+  "spark",
   "hexagon",
 ] as const satisfies readonly string[] & { readonly length: typeof INDEX_COUNT };
 
@@ -33,16 +36,18 @@ const CORNERS: Readonly<Record<Exclude<Shape, "disc">, readonly XY[]>> = {
   ],
   diamond: turned(4, 1.26, -90),
   triangle: turned(3, 1.28, -90),
-  plus: cross(1.18, 0.4, 0),
+  star: star(5, 1.42, 0.62),
   down: turned(3, 1.28, 90),
-  star: star(),
-  bar: [
-    [-1.2, -0.52],
-    [1.2, -0.52],
-    [1.2, 0.52],
-    [-1.2, 0.52],
+  hourglass: [
+    [-1.05, -1.1],
+    [1.05, -1.1],
+    [0.22, 0],
+    [1.05, 1.1],
+    [-1.05, 1.1],
+    [-0.22, 0],
   ],
-  cross: cross(1.24, 0.38, 45),
+  half: Array.from({ length: 13 }, (_, i) => polar(1.38, 180 + 15 * i)).map(([x, y]) => [x!, y! + 0.62]),
+  spark: star(4, 1.55, 0.58),
   hexagon: turned(6, 1.1, 0),
 };
 
@@ -55,21 +60,9 @@ function polar(radius: number, degrees: number): XY {
   return [radius * Math.cos(angle), radius * Math.sin(angle)];
 }
 
-function star(): XY[] {
-  return Array.from({ length: 10 }, (_, i) => polar(i % 2 === 0 ? 1.4 : 0.6, -90 + 36 * i));
-}
-
-function cross(reach: number, half: number, turn: number): XY[] {
-  return [0, 90, 180, 270].flatMap((quarter) =>
-    [
-      [reach, -half],
-      [reach, half],
-      [half, half],
-    ].map(([x, y]) => {
-      const angle = ((quarter + turn) * Math.PI) / 180;
-      const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      return [c * x! - s * y!, s * x! + c * y!];
-    }),
+function star(points: number, outer: number, inner: number): XY[] {
+  return Array.from({ length: 2 * points }, (_, i) =>
+    polar(i % 2 === 0 ? outer : inner, -90 + (180 * i) / points),
   );
 }
 
