@@ -1,10 +1,10 @@
 import { attrs } from "@mdit/plugin-attrs";
-import { footnote } from "@mdit/plugin-footnote";
 import MarkdownIt from "markdown-it";
 import { callouts } from "./blocks/callout.ts";
 import { code } from "./blocks/code.ts";
 import { demo, print } from "./blocks/demo.ts";
 import { type BlockRules, blocks } from "./rules/blocks.ts";
+import { footnotes } from "./rules/footnotes.ts";
 import { glue } from "./rules/glue.ts";
 import { headings } from "./rules/headings.ts";
 import { lines } from "./rules/lines.ts";
@@ -21,7 +21,7 @@ const BLOCKS: BlockRules = { demo, print, code, ...callouts };
 export function createMarkdown(): MarkdownIt {
   return new MarkdownIt({ html: false, linkify: false, typographer: false })
     .use(tex)
-    .use(footnote)
+    .use(footnotes)
     .use(attrs, { rule: ["heading", "inline"], allowed: ["id", "class", "lang"] })
     .use(lines)
     .use(unparsed)

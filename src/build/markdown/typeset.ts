@@ -37,7 +37,8 @@ function run(content: string, displayMode: boolean, lang: Lang): Typeset {
     const position = "position" in error && typeof error.position === "number" ? error.position : 0;
     return {
       ok: false,
-      message: error.message.replace(/^KaTeX parse error: /, ""),
+      // KaTeX underlines the place with combining signs, which hides the very letters.
+      message: error.message.replace(/^KaTeX parse error: /, "").replace(/\u0332/g, ""),
       line: content.slice(0, position).split("\n").length - 1,
     };
   }

@@ -14,8 +14,12 @@ export const demo: BlockRule = {
   form: "::: demo <demo-id> {#figure-id t=0.25}",
   read: (block, env) => {
     const found = env.demos.get(block.args);
+    const id = block.id ?? "";
+    // Even a figure that cannot be shown has its place, so that one mistake is told once.
+    env.figures.push({ id, line: block.line, demo: block.args });
     if (!found) {
       report(env, block.line, `unknown demo "${block.args}"`, choices(block.args, [...env.demos.keys()]));
+      env.skeleton.push({ line: block.line, sign: `demo ${block.args} #${id}` });
       return null;
     }
     if (block.id === null)
@@ -31,8 +35,6 @@ export const demo: BlockRule = {
       attributes.filter(([name]) => !FRAME[name]),
     );
     for (const { message, remedy } of read.problems) report(env, block.line, message, remedy);
-    const id = block.id ?? "";
-    env.figures.push({ id, line: block.line, demo: found.id });
     env.skeleton.push({ line: block.line, sign: `demo ${found.id} #${id} ${read.query}`.trim() });
     if (block.children.every((child) => child.type === "lesson_block")) {
       report(env, block.line, `the figure "${id}" has no caption`, "say below ::: demo what is to be seen");

@@ -7,8 +7,11 @@ import type Token from "markdown-it/lib/token.mjs";
  */
 export function lines(md: MarkdownIt): void {
   md.core.ruler.after("inline", "lines", (state) => {
+    let line = 0;
     for (const token of state.tokens) {
-      if (token.type === "inline" && token.map) number(token.children ?? [], token.map[0], state.env);
+      // Cells of a table have no place of their own, their rows have.
+      line = token.map?.[0] ?? line;
+      if (token.type === "inline") number(token.children ?? [], line, state.env);
     }
   });
 }

@@ -70,12 +70,13 @@ function readLink(open: Token, words: Token[], env: LessonEnv): Token[] {
   first.content = first.content.slice(1);
   last.content = last.content.slice(0, -1);
   const figure = env.figures.find(({ id }) => id === figureId);
-  const demo = figure && env.demos.get(figure.demo);
-  if (!figure || !demo) {
+  if (!figure) {
     const ids = env.figures.map(({ id }) => id);
     report(env, line, `no figure "${figureId}" in this lesson`, choices(figureId, ids));
     return words;
   }
+  const demo = env.demos.get(figure.demo);
+  if (!demo) return words;
   const state = readState(demo, query);
   for (const { message, remedy } of state.problems)
     report(env, line, `figure "${figureId}": ${message}`, remedy);

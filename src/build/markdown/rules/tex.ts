@@ -24,8 +24,8 @@ function set(token: Token, display: boolean, env: LessonEnv): string {
   if (display) checkEnd(token, env);
   if (result.ok) return result.html;
   // What follows "$$" on its own line begins on the next one.
-  const below = display && /\$\$\s*$/.test(env.source[lineOf(token) - 1] ?? "") ? 1 : 0;
-  const line = lineOf(token) + (token.content.includes("\n") ? below : 0) + result.line;
+  const below = display && /^[^$]*\$\$\s*$/.test(env.source[lineOf(token) - 1] ?? "");
+  const line = lineOf(token) + (below ? 1 : 0) + result.line;
   report(env, line, `TeX: ${result.message}`, `mend the formula: ${shorten(token.content)}`);
   return "";
 }
