@@ -30,7 +30,13 @@ export function hermiteBasisCoefficients(m: number): HermitePolynomial[] {
   const start = orders.map((k) => startPolynomial(m, k));
   return [
     ...orders.map((k) => reduced(0, k, start[k]!)),
-    ...orders.map((k) => reduced(1, k, scaled(mirrored(start[k]!), (-1n) ** BigInt(k)))),
+    ...orders.map((k) =>
+      reduced(
+        1,
+        k,
+        mirrored(start[k]!).map((c) => (k % 2 === 0 ? c : -c)),
+      ),
+    ),
   ];
 }
 
@@ -39,7 +45,7 @@ function startPolynomial(m: number, k: number): bigint[] {
   const sum: bigint[] = [];
   for (let j = 0; j <= m - k; j++) sum.push(choose(m + j, j));
   let product: bigint[] = [...new Array<bigint>(k).fill(0n), ...sum];
-  for (let step = 0; step <= m; step++) product = times(product, [1n, -1n]);
+  for (let step = 0; step <= m; step++) product = timesOneMinusT(product);
   return product;
 }
 
@@ -48,18 +54,15 @@ function mirrored(q: readonly bigint[]): bigint[] {
   const highest = q.length - 1;
   let value = [q[highest]!];
   for (let i = highest - 1; i >= 0; i--) {
-    value = times(value, [1n, -1n]);
+    value = timesOneMinusT(value);
     value[0] = value[0]! + q[i]!;
   }
   return value;
 }
 
-function times(p: readonly bigint[], [b0, b1]: readonly [bigint, bigint]): bigint[] {
-  return [...p, 0n].map((c, i) => c * b0 + (i > 0 ? p[i - 1]! * b1 : 0n));
-}
-
-function scaled(p: readonly bigint[], factor: bigint): bigint[] {
-  return p.map((c) => c * factor);
+/** (1 − t)·p(t). */
+function timesOneMinusT(p: readonly bigint[]): bigint[] {
+  return [...p, 0n].map((c, i) => (i > 0 ? c - p[i - 1]! : c));
 }
 
 function choose(n: number, k: number): bigint {

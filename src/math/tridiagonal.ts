@@ -48,11 +48,6 @@ export function solveCyclic(system: TridiagonalSystem): Point[] {
   const { below, diagonal, above, right } = system;
   const last = right.length - 1;
   if (last === 0) return [scale(right[0]!, 1 / (below[0]! + diagonal[0]! + above[0]!))];
-  if (last === 1) {
-    // Both neighbours of either unknown are the other one.
-    const folded = { below: [0, below[1]! + above[1]!], above: [above[0]! + below[0]!, 0], diagonal, right };
-    return solveTridiagonal(folded);
-  }
   const gamma = -diagonal[0]!;
   const u = right.map((_, r) => [r === 0 ? gamma : r === last ? above[last]! : 0]);
   const d = [...diagonal];

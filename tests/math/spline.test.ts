@@ -99,6 +99,12 @@ describe("tridiagonal systems", () => {
     });
   });
 
+  test("cyclic systems of one and of two unknowns are their own neighbours", () => {
+    expect(solveCyclic({ below: [1], diagonal: [5], above: [2], right: [[16]] })).toEqual([[2]]);
+    const two = { below: [1, 2], diagonal: [5, 7], above: [1, 1], right: [[9], [17]] };
+    expect(solveCyclic(two)).toEqual([[expect.closeTo(1, 14)], [expect.closeTo(2, 14)]]);
+  });
+
   test("the caller's lists stay as they are", () => {
     const s = { below: [0, 1], diagonal: [2, 4], above: [1, 0], right: [[1], [2]] };
     expect(solveTridiagonal(s)).toEqual([[2 / 7], [3 / 7]].map(([x]) => [expect.closeTo(x!, 15)]));
@@ -154,6 +160,16 @@ describe("the spline's system", () => {
         { type: "periodic" },
       ),
     ).toThrow("points[1][1]: expected 2 as in points[0], since the spline is periodic, got 3");
+    expect(() =>
+      splineSystem(
+        [0, 1],
+        [
+          [1, 2],
+          [4, 2],
+        ],
+        { type: "periodic" },
+      ),
+    ).toThrow("points[1][0]: expected 1 as in points[0], since the spline is periodic, got 4");
     expect(() => splineSystem([0, 1], [[1], [2]], { type: "free" } as never)).toThrow(
       'end.type: expected clamped, natural, notAKnot or periodic, got "free"',
     );
