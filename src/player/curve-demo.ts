@@ -241,7 +241,7 @@ export class CurveDemo extends HTMLElement {
   /** The figure's own initial state: the declaration, a named state, the attributes, in an embed the query. */
   #readOwn(demo: Demo): { problems: readonly Problem[] } {
     const attributes = [...this.attributes]
-      .filter(({ name }) => !PLAIN.test(name) && !FRAME.has(name))
+      .filter(({ name }) => Object.hasOwn(demo.params, name) || (!PLAIN.test(name) && !FRAME.has(name)))
       .map(({ name, value }) => [name, value] as const);
     const found = readValues(demo, attributes);
     const named = this.getAttribute("state");

@@ -30,7 +30,7 @@ const REACH = 22;
 export function createHandleLayer(lang: Lang): HandleLayer {
   const root = element("div", { class: "handles" });
   const buttons = new Map<string, HTMLButtonElement>();
-  const places = new Map<string, readonly [number, number]>();
+  const places = new Map<string, readonly [x: number, y: number, depth: number]>();
   let selected: string | null = null;
   let rover: string | null = null;
 
@@ -68,7 +68,7 @@ export function createHandleLayer(lang: Lang): HandleLayer {
         gone.delete(handle.id);
         const button = buttons.get(handle.id) ?? create(handle);
         const [x, y] = view.toPixel(handle.at);
-        const at = [x * scale, y * scale] as const;
+        const at = [x * scale, y * scale, view.space?.project(handle.at)[2] ?? 0] as const;
         places.set(handle.id, at);
         button.style.transform = `translate(${at[0].toFixed(2)}px, ${at[1].toFixed(2)}px)`;
         const name = `${labelText(handle.label, lang)} ${formatPoint(handle.at, lang)}`;
@@ -87,12 +87,15 @@ export function createHandleLayer(lang: Lang): HandleLayer {
     nearest(x, y) {
       let best: string | null = null;
       let distance = REACH;
-      for (const [id, [hx, hy]] of places) {
+      let height = -Infinity;
+      for (const [id, [hx, hy, depth]] of places) {
         const d = Math.max(Math.abs(hx - x), Math.abs(hy - y)) < REACH ? Math.hypot(hx - x, hy - y) : REACH;
-        // The later handle is drawn on top and wins a tie.
-        if (d < REACH && d <= distance) {
+        // Of handles in one place the one on top wins: the nearest in space, else the one drawn last.
+        const same = Math.abs(d - distance) < 1;
+        if (d < REACH && (same ? depth >= height : d < distance)) {
           best = id;
           distance = d;
+          height = depth;
         }
       }
       return best;

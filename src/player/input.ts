@@ -1,8 +1,9 @@
+import type { XY } from "../scene/marks.ts";
 import type { Core } from "./core.ts";
 import type { HandleLayer } from "./handle-layer.ts";
 import type { Pencil } from "./pencil.ts";
 import { listenToPointer } from "./pointer.ts";
-import { arrowOf, commandOf, factorOf } from "./shortcuts.ts";
+import { arrowOf, commandOf, depthOf, factorOf } from "./shortcuts.ts";
 import type { Stage } from "./stage.ts";
 
 export interface Input {
@@ -20,6 +21,7 @@ export function listen(
 ): Input {
   const { store, mover } = core;
   const handleById = (id: string) => core.figure.handles.find((handle) => handle.id === id);
+  const drags = new Map<string, XY>();
   listenToPointer(stage.root, layer, {
     where: (id) => {
       const handle = handleById(id);
@@ -27,32 +29,46 @@ export function listen(
     },
     move: (id, x, y, commit) => {
       const handle = handleById(id);
-      const to = handle && stage.toWorld(handle.view, x, y);
+      if (!handle) return;
+      // In space, the whole drag stays in the plane in which it began, whatever rounding does on the way.
+      const through = drags.get(id) ?? handle.at;
+      if (commit) drags.delete(id);
+      else drags.set(id, through);
+      const to = stage.toWorld(handle.view, x, y, through);
       if (to) mover.put(handle.param, handle.put(to), commit);
     },
-    cancel: () => store.cancel(),
+    cancel: () => {
+      drags.clear();
+      store.cancel();
+    },
     get drawing() {
       return pencil?.on ?? false;
     },
     draw: (x, y, phase) => pencil?.draw(x, y, phase),
   });
 
-  const nudge = (
-    id: string | undefined,
-    direction: readonly [number, number],
-    factor: number,
-    time?: number,
-  ) => {
+  /** A direction of the picture, right and up and towards the eye, in the axes of the handle's view. */
+  const inView = (view: string, [right, up, near = 0]: XY): XY => {
+    const space = stage.spaceOf(view);
+    if (!space) return [right!, up!];
+    const { axes } = space;
+    return axes.eye.map((eye, k) => right! * axes.right[k]! + up! * axes.up[k]! + near * eye);
+  };
+  const nudge = (id: string | undefined, direction: XY, factor: number, time?: number) => {
     const handle = id === undefined ? undefined : handleById(id);
     if (!handle) return;
     const merge = time === undefined ? undefined : { kind: handle.id, time };
-    mover.put(handle.param, handle.nudge(direction, factor), true, merge);
+    mover.put(handle.param, handle.nudge(inView(handle.view, direction), factor), true, merge);
+  };
+  const inSpace = (id: string | undefined) => {
+    const view = id === undefined ? undefined : handleById(id)?.view;
+    return view !== undefined && stage.spaceOf(view) !== null;
   };
   shell.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
     const focused = target.closest<HTMLElement>("[data-handle]");
     const typing = target instanceof HTMLInputElement && target.type === "text";
-    const arrow = focused && arrowOf(event);
+    const arrow = focused && (arrowOf(event) ?? depthOf(event, core.embedded));
     switch (commandOf(event, focused !== null)) {
       case "undo":
         if (typing) return;
@@ -71,7 +87,7 @@ export function listen(
         target.blur();
         return;
       default:
-        if (!arrow) return;
+        if (!arrow || (arrow.length > 2 && !inSpace(focused.dataset.handle))) return;
         nudge(focused.dataset.handle, arrow, factorOf(event), event.timeStamp);
     }
     event.preventDefault();

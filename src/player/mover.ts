@@ -14,7 +14,11 @@ export interface Mover {
   put(id: string, value: unknown, commit: boolean, merge?: Step["merge"]): void;
   /** Checked values from a link, a message or a program; glides there if asked and allowed. */
   go(patch: State, options: { source: Source; glide?: boolean; commit?: boolean }): void;
+  /** Goes on by itself for a while, as a turned figure does that is let go. */
+  coast(seconds: number, at: (share: number) => State): void;
   play(on: boolean): void;
+  /** Whatever moves by itself stops where it is. */
+  stop(): void;
   /** A step through the history. */
   travel(step: () => void): void;
   hold(held: boolean): void;
@@ -60,6 +64,10 @@ export function createMover(demo: Demo, store: Store, request: () => void): Move
       };
       animation.start(GLIDE, step, request);
     },
+    coast(seconds, at) {
+      const step = (share: number) => store.set(at(share), { source: "user", commit: share === 1 });
+      animation.start(seconds, step, request);
+    },
     play(on) {
       if (!on) return stop();
       if (!animated) return;
@@ -72,6 +80,7 @@ export function createMover(demo: Demo, store: Store, request: () => void): Move
       animation.start((seconds * (to - start)) / (to - from), step, () => store.set({}, { source: "user" }));
       request();
     },
+    stop,
     travel(step) {
       stop();
       step();

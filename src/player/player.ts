@@ -14,6 +14,7 @@ import type { Mover } from "./mover.ts";
 import { createPencil } from "./pencil.ts";
 import { showProblems } from "./problems.ts";
 import { createReadout } from "./readout.ts";
+import { createSpaceControls } from "./space-controls.ts";
 import { createStage } from "./stage.ts";
 import type { Change, Store } from "./store.ts";
 import { addPanelStyles } from "./styles.ts";
@@ -58,13 +59,16 @@ export function createPlayer(setup: PlayerSetup): Player {
   const pencil = pencilOf();
   const shell = buildShell();
   const input = listen(shell, core, stage, layer, pencil);
+  const space = createSpaceControls(core, stage, layer);
   const rows = createControls(core, {
     fullscreen: () => void enterFullscreen(),
     nudgeSelected: input.nudgeSelected,
     pencil,
     loadPanelStyles: () => addPanelStyles(root),
   });
+  if (space) stage.root.append(...space.under);
   if (!still) stage.root.append(layer.root);
+  if (space) stage.root.append(...space.over);
   shell.append(stage.root);
   if (!still && controls !== "none") shell.append(rows.bar);
   if (demo.readout) shell.append(readout.root);
@@ -133,12 +137,13 @@ export function createPlayer(setup: PlayerSetup): Player {
   function draw(): void {
     const { figure } = core;
     shell.dataset.theme = isDark(options.theme) ? "dark" : "light";
-    const { views, scale } = stage.draw(demo, figure, lit);
+    const { views, scale } = stage.draw(figure, lit, space?.painter ?? null);
     shell.style.setProperty("--scale", String(scale));
     layer.update(figure.handles, views, scale);
     const view = pencil && views[pencil.view];
     if (view) pencil.update(view, scale);
     rows.update();
+    space?.update();
     readout.update(figure.readout);
     const said = figure.description[lang];
     if (description.textContent !== said) description.textContent = said;
@@ -177,6 +182,7 @@ export function createPlayer(setup: PlayerSetup): Player {
       core.mover.destroy();
       cancelAnimationFrame(frame);
       broken = true; // no drawing after the end
+      space?.destroy();
       stage.destroy();
       root.replaceChildren(element("slot", {}));
     },

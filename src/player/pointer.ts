@@ -30,14 +30,7 @@ const TAP = 5;
 export function listenToPointer(stage: HTMLElement, layer: HandleLayer, target: PointerTarget): void {
   const drags = new Map<number, Drag>();
 
-  /** Position in the stage, whatever scale the host puts on it: the one place where this is worked out. */
-  const position = (event: PointerEvent): readonly [number, number] => {
-    const rect = stage.getBoundingClientRect();
-    return [
-      ((event.clientX - rect.left) * stage.clientWidth) / rect.width,
-      ((event.clientY - rect.top) * stage.clientHeight) / rect.height,
-    ];
-  };
+  const position = (event: PointerEvent) => positionIn(stage, event);
 
   stage.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
@@ -87,6 +80,15 @@ export function listenToPointer(stage: HTMLElement, layer: HandleLayer, target: 
   };
   stage.addEventListener("pointerup", (event) => finish(event, false));
   stage.addEventListener("pointercancel", (event) => finish(event, true));
+}
+
+/** Position in the stage, whatever scale the host puts on it: the one place where this is worked out. */
+export function positionIn(stage: HTMLElement, event: MouseEvent): readonly [number, number] {
+  const rect = stage.getBoundingClientRect();
+  return [
+    ((event.clientX - rect.left) * stage.clientWidth) / rect.width,
+    ((event.clientY - rect.top) * stage.clientHeight) / rect.height,
+  ];
 }
 
 function capture(stage: HTMLElement, pointer: number): void {

@@ -20,7 +20,7 @@ export function printTwin(
 ): () => void {
   const draw = () => {
     const { figure, lang } = now();
-    const drawing = displayList(demo.views, figure.scene, {
+    const drawing = displayList(figure.views, figure.scene, {
       width: WIDTH,
       height: WIDTH * figureBox(demo).wide,
       lang,

@@ -26,6 +26,14 @@ export const SHORTCUTS: readonly Shortcut[] = [
     keys: { de: "Pos1, Ende", en: "Home, End" },
     does: { de: "Regler an Anfang oder Ende", en: "slider to its start or end" },
   },
+  {
+    keys: { de: "[ und ], Bild auf und ab", en: "[ and ], Page up and down" },
+    does: { de: "im Raum: Punkt in die Tiefe bewegen", en: "in space: move the point in depth" },
+  },
+  {
+    keys: { de: "Pfeile, + und − auf dem Bild", en: "Arrows, + and − on the picture" },
+    does: { de: "im Raum: Ansicht drehen, näher, ferner", en: "in space: turn the view, nearer, farther" },
+  },
   { keys: { de: "Strg + Z", en: "Ctrl + Z" }, does: { de: "rückgängig", en: "undo" } },
   {
     keys: { de: "Strg + Umschalt + Z", en: "Ctrl + Shift + Z" },
@@ -67,6 +75,14 @@ export function arrowOf(event: KeyboardEvent): readonly [number, number] | null 
     default:
       return null;
   }
+}
+
+/** The third direction of space: towards the eye with Page down or ], away with Page up or [; page keys belong to decks. */
+export function depthOf(event: KeyboardEvent, embedded: boolean): readonly [0, 0, number] | null {
+  if (event.ctrlKey || event.metaKey) return null;
+  if (event.key === "[" || (event.key === "PageUp" && !embedded)) return [0, 0, -1];
+  if (event.key === "]" || (event.key === "PageDown" && !embedded)) return [0, 0, 1];
+  return null;
 }
 
 /** Shift makes steps five times as long, Alt a quarter. */

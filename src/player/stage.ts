@@ -1,24 +1,31 @@
-import type { Demo } from "../demo/define.ts";
 import type { Figure } from "../demo/figure.ts";
 import { drawCanvas } from "../render/canvas/draw-canvas.ts";
 import { displayList } from "../render/display-list.ts";
 import type { XY } from "../scene/marks.ts";
+import type { SpaceTransform } from "../scene/space.ts";
 import type { ViewTransform } from "../scene/view.ts";
 import { element } from "./element.ts";
 import type { FrameOptions } from "./frame.ts";
 import { currentPalette } from "./palette.ts";
+import type { SurfacePainter } from "./surface-painter.ts";
 
 /** The drawing surface of a figure: a canvas that fills its box, sharp on every pixel ratio. */
 export interface Stage {
   readonly root: HTMLElement;
+  readonly context: CanvasRenderingContext2D | null;
   measure(): void;
   /** Draws the figure and gives back where its views are, in drawing units, and CSS pixels per unit. */
   draw(
-    demo: Demo,
     figure: Figure,
     lit: ReadonlySet<string>,
+    painter: SurfacePainter | null,
   ): { views: Readonly<Record<string, ViewTransform>>; scale: number };
-  toWorld(view: string, x: number, y: number): readonly [number, number] | null;
+  /** The place under a pixel; in space, in the plane through a point parallel to the picture. */
+  toWorld(view: string, x: number, y: number, through: XY): XY | null;
+  /** How a view looks into space, if it does. */
+  spaceOf(view: string): SpaceTransform | null;
+  /** The window into space under a pixel, and its size in CSS pixels. */
+  windowAt(x: number, y: number): { readonly space: SpaceTransform; readonly size: number } | null;
   toStage(view: string, point: XY): readonly [number, number] | null;
   destroy(): void;
 }
@@ -26,9 +33,13 @@ export interface Stage {
 /** The size, in drawing units, that a figure in a slide or on a full screen is drawn for. */
 const SLIDE_WIDTH = 720;
 
+/** About how many facets a surface has that is drawn without a graphics card and follows the hand. */
+const LIVE_FACETS = 2600;
+
 export function createStage(options: FrameOptions, resized: () => void): Stage {
   const canvas = element("canvas", { "aria-hidden": "true" });
   const root = element("div", { class: "stage" }, canvas);
+  const context = canvas.getContext("2d");
   let width = 0;
   let height = 0;
   let scale = 1;
@@ -59,24 +70,43 @@ export function createStage(options: FrameOptions, resized: () => void): Stage {
 
   return {
     root,
+    context,
     measure,
-    draw(demo, figure, lit) {
+    draw(figure, lit, painter) {
       // A frame of size 0 (a slide not yet shown) is drawn once it has a size.
       if (width === 0 || height === 0) return { views, scale };
       fitCanvas();
-      const drawing = displayList(demo.views, figure.scene, {
+      const drawing = displayList(figure.views, figure.scene, {
         width: width / scale,
         height: height / scale,
         lang: options.lang,
         lit,
+        facets: painter ? 0 : LIVE_FACETS,
       });
       views = drawing.views;
-      const context = canvas.getContext("2d");
-      if (context)
-        drawCanvas(context, drawing, currentPalette(options.theme), (canvas.width / width) * scale);
+      if (context) {
+        const palette = currentPalette(options.theme);
+        const ratio = (canvas.width / width) * scale;
+        const paint = painter?.painterFor(context, palette, ratio);
+        drawCanvas(context, drawing, palette, ratio, paint);
+      }
       return { views, scale };
     },
-    toWorld: (view, x, y) => views[view]?.toWorld([x / scale, y / scale]) ?? null,
+    toWorld: (view, x, y, through) => {
+      const found = views[view];
+      const pixel = [x / scale, y / scale] as const;
+      return found?.space ? found.space.lift(pixel, through) : (found?.toWorld(pixel) ?? null);
+    },
+    spaceOf: (view) => views[view]?.space ?? null,
+    windowAt(x, y) {
+      for (const { space, box } of Object.values(views)) {
+        if (!space) continue;
+        const [right, down] = [x / scale - box.left, y / scale - box.top];
+        if (right < 0 || down < 0 || right > box.width || down > box.height) continue;
+        return { space, size: Math.min(box.width, box.height) * scale };
+      }
+      return null;
+    },
     toStage: (view, point) => {
       const pixel = views[view]?.toPixel(point);
       return pixel ? [pixel[0] * scale, pixel[1] * scale] : null;

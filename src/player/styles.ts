@@ -1,6 +1,7 @@
 import { themeCss } from "../render/theme.ts";
 import controls from "./styles/controls.css?inline";
 import figure from "./styles/figure.css?inline";
+import space from "./styles/space.css?inline";
 
 let shared: CSSStyleSheet[] | undefined;
 let panel: CSSStyleSheet | undefined;
@@ -13,7 +14,7 @@ function sheet(text: string): CSSStyleSheet {
 
 /** The style sheets that every figure shares: made once a page, adopted by each shadow root. */
 export function adoptStyles(root: ShadowRoot): void {
-  shared ??= [sheet(themeCss(".shell")), sheet(figure), sheet(controls)];
+  shared ??= [sheet(themeCss(".shell")), sheet(figure), sheet(controls), sheet(space)];
   root.adoptedStyleSheets = shared;
 }
 

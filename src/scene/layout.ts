@@ -57,18 +57,32 @@ function rows(views: Views, narrow: boolean): Row[] {
   return found;
 }
 
+/** A row flatter than this share of the width is a bar: it keeps its height, whatever the others do. */
+const BAR = 0.2;
+
+/** The heights of the rows in a drawing of the given size: bars as they are, the others share the rest. */
+function heights(all: readonly Row[], width: number, height: number): number[] {
+  const natural = all.map((row) => row.height * width);
+  const isBar = (i: number) => all[i]!.height < BAR;
+  const bars = natural.reduce((sum, h, i) => (isBar(i) ? sum + h : sum), 0);
+  const others = natural.reduce((sum, h) => sum + h, 0) - bars;
+  // Where even the bars do not fit, or there is nothing else, all shrink or grow alike.
+  if (others === 0 || bars > height / 2) return natural.map((h) => (h / (bars + others)) * height);
+  return natural.map((h, i) => (isBar(i) ? h : (h / others) * (height - bars)));
+}
+
 /**
  * The box of each view's plane in a drawing of the given size (pixels at scale 1). A drawing that is taller
- * or flatter than the figure asks for shares its height in the same proportions, so that a slide is filled.
+ * or flatter than the figure asks for is filled all the same, as on a slide.
  */
 export function layoutViews(views: Views, width: number, height: number): Readonly<Record<string, Box>> {
   const narrow = width < NARROW;
   const all = rows(views, narrow);
-  const total = all.reduce((sum, row) => sum + row.height, 0);
+  const tallness = heights(all, width, height);
   const boxes: Record<string, Box> = {};
   let top = 0;
-  for (const row of all) {
-    const tall = (row.height / total) * height;
+  for (const [i, row] of all.entries()) {
+    const tall = tallness[i]!;
     for (const cell of row.cells) {
       const view = views[cell.id]!;
       const inset = insets(view);

@@ -55,3 +55,10 @@ test("an equal fit shows everything asked for, centred; a stretched one fills it
   expect(equal.x[0]).toBeLessThanOrEqual(0);
   expect(fitView(side, box).toPixel([0, 0])).toEqual([0, 100]);
 });
+
+test("a bar keeps its height on a tall screen, the plane takes the rest", () => {
+  const boxes = layoutViews({ plane, bar }, 400, 800);
+  const natural = layoutViews({ plane, bar }, 400, 400 * aspect({ plane, bar }, true));
+  expect(boxes.bar!.height).toBeCloseTo(natural.bar!.height);
+  expect(boxes.plane!.height).toBeGreaterThan(natural.plane!.height + 300);
+});

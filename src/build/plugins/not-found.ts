@@ -1,5 +1,5 @@
 import { existsSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import type { Plugin } from "vite";
 
 /** Lets `npm start` answer as a static host does: a folder gets its slash, what is missing gets 404.html. */
@@ -7,7 +7,7 @@ export function notFound(): Plugin {
   return {
     name: "straklatte:not-found",
     configurePreviewServer(server) {
-      const dist = join(server.config.root, server.config.build.outDir);
+      const dist = resolve(server.config.root, server.config.build.outDir);
       return () => {
         server.middlewares.use((request, response, next) => {
           const url = new URL(request.originalUrl ?? "/", "http://localhost");
