@@ -8,9 +8,19 @@ import { combine, lerp, type Point, scale, sub } from "./point.ts";
  *
  * Its weights are the Lagrange polynomials of degree 2 on these nodes.
  */
+// #region parabolic-blending
 export function parabolaPoint(before: Point, here: Point, after: Point, t: number): Point {
   return combine([(t * (t - 1)) / 2, -(t + 1) * (t - 1), (t * (t + 1)) / 2], [before, here, after]);
 }
+
+function blend(points: readonly Point[], r: number, t: number): Point {
+  const [before, start, end, after] = [points[r - 1], points[r]!, points[r + 1]!, points[r + 2]];
+  const first = before && parabolaPoint(before, start, end, t);
+  const second = after && parabolaPoint(start, end, after, t - 1);
+  if (first && second) return lerp(first, second, t);
+  return (first ?? second)!;
+}
+// #endregion
 
 /**
  * Parabolic blending: the point S_r(t) between the points r and r + 1, t in [0, 1].
@@ -27,17 +37,6 @@ export function parabolicBlend(points: readonly Point[], r: number, t: number): 
   checkNumber("t", t);
   return blend(points, r, t);
 }
-
-// The algorithm as lessons quote it.
-// #region parabolic-blending
-function blend(points: readonly Point[], r: number, t: number): Point {
-  const [before, start, end, after] = [points[r - 1], points[r]!, points[r + 1]!, points[r + 2]];
-  const first = before && parabolaPoint(before, start, end, t);
-  const second = after && parabolaPoint(start, end, after, t - 1);
-  if (first && second) return lerp(first, second, t);
-  return (first ?? second)!;
-}
-// #endregion
 
 /**
  * The curve of parabolic blending over [0, n], segment r over [r, r + 1]: C¹, local, through all n + 1 points.

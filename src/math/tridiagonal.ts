@@ -21,7 +21,6 @@ export type TridiagonalSystem = {
  * Stable for diagonally dominant systems, such as those of cubic splines; the corners below[0] and above[n−1] are not
  * looked at (see `solveCyclic`). A vanishing pivot gives no finite result.
  */
-// #region tridiagonal-solve
 export function solveTridiagonal({ below, diagonal, above, right }: TridiagonalSystem): Point[] {
   const d = [...diagonal];
   const x = [...right];
@@ -36,7 +35,6 @@ export function solveTridiagonal({ below, diagonal, above, right }: TridiagonalS
   }
   return x;
 }
-// #endregion
 
 /**
  * Solves a cyclic tridiagonal system, corners included, in time linear in n.
