@@ -7,14 +7,17 @@ export type Times = Readonly<Record<string, number>>;
 let sink = 0;
 
 /**
- * Times contenders against each other: in every round each runs once, in turn, so that whatever slows the machine down
+ * Times contenders against each other: in every round each runs once, so that whatever slows the machine down
  * slows all of them; the medians of the rounds are compared.
  */
-export function measure(contenders: readonly Contender[], rounds = 31): Times {
+export function measure(contenders: readonly Contender[], rounds = 41): Times {
   for (const { run } of contenders) for (let k = 0; k < 3; k++) sink += run();
   const samples = contenders.map((): number[] => []);
   for (let round = 0; round < rounds; round++) {
-    contenders.forEach(({ run, operations }, i) => {
+    // Back and forth, since a contender finds warm what the one before it has touched.
+    const order = round % 2 === 0 ? [...contenders.keys()] : [...contenders.keys()].reverse();
+    order.forEach((i) => {
+      const { run, operations } = contenders[i]!;
       const start = performance.now();
       sink += run();
       samples[i]!.push(((performance.now() - start) * 1e6) / operations);
