@@ -70,7 +70,7 @@ export default defineDemo({
         path("rest", "curve-rest", bezierSteps(points)),
         ...(done ? [path("curve", "curve", bezierSteps(points, [0, t]), { name: "curve" })] : []),
         ...levels.slice(1, split ? 1 : Math.min(last, rounds + 1)).flatMap(level),
-        ...(split ? [...part("left", "tangent", left), ...part("right", "reference", right)] : []),
+        ...(split ? [...part("left", left), ...part("right", right)] : []),
         ...(done ? [point("p", "curve", p, { name: "p" })] : []),
         ...(done ? [label("p-label", "curve", p, { base: "p", args: [t] })] : []),
       ],
@@ -114,10 +114,14 @@ function level(points: readonly Point[], r: number): Mark[] {
   ];
 }
 
-/** The control polygon of one part of the curve. */
-function part(name: "left" | "right", role: "tangent" | "reference", points: readonly Point[]): Mark[] {
+/** The control polygon of one part of the curve: full points on the left, hollow ones on the right. */
+function part(name: "left" | "right", points: readonly Point[]): Mark[] {
+  const [role, hollow] =
+    name === "left" ? (["tangent", false] as const) : (["control-polygon", true] as const);
   return [
     polyline(name, role, points, { name }),
-    ...points.map((at, i) => point(`${name}.${i}`, role, at, { size: "small", name: `${name}.${i}` })),
+    ...points.map((at, i) =>
+      point(`${name}.${i}`, role, at, { size: "small", hollow, name: `${name}.${i}` }),
+    ),
   ];
 }

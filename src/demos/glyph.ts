@@ -46,7 +46,7 @@ export default defineDemo({
   title: { de: "Ein Buchstabe aus Bézierkurven", en: "A letter made of Bézier curves" },
   params: {
     u: number({
-      initial: 1.4,
+      initial: 1.25,
       min: 0,
       max: COUNT,
       step: 0.05,
