@@ -13,6 +13,6 @@ export const still: Still = (demo, state, lang) => {
   const box = figureBox(demo);
   const height = Math.round(WIDTH * box.wide);
   const figure = figureOf(demo, state);
-  const drawing = displayList(demo.views, figure.scene, { width: WIDTH, height, lang });
+  const drawing = displayList(figure.views, figure.scene, { width: WIDTH, height, lang });
   return { box, svg: writeSvg(svgTree(drawing, { title: figure.description[lang] })) };
 };

@@ -1,6 +1,7 @@
 import { boolean, choice, defineDemo, net, points } from "../demo/index.ts";
 import {
   bezierPatch,
+  patchCurvatureSampler,
   patchIsoCurve,
   patchTessellator,
   surfaceCurvature,
@@ -21,6 +22,9 @@ import { inBoth } from "../words/words.ts";
 /** Quads along each side of the patch. */
 const STEPS = 24;
 const tessellate = patchTessellator(3, 3, STEPS, STEPS);
+const sampleCurvature = patchCurvatureSampler(3, 3, STEPS, STEPS);
+/** The Gaussian curvatures at the ends of the colour map: −1 blue, 0 white, 1 orange. */
+const CURVATURE = 1;
 
 /** A bicubic Bézier patch that can be bent by its sixteen control points. */
 export default defineDemo({
@@ -29,10 +33,30 @@ export default defineDemo({
   params: {
     points: net({
       initial: [
-        [[-1.5, -1.5, 0], [-1.5, -0.5, 0.9], [-1.5, 0.5, 0.7], [-1.5, 1.5, -0.1]],
-        [[-0.5, -1.5, 0.6], [-0.5, -0.5, 2], [-0.5, 0.5, 1.5], [-0.5, 1.5, 0.5]],
-        [[0.5, -1.5, 0.7], [0.5, -0.5, 1.6], [0.5, 0.5, -0.6], [0.5, 1.5, 0.3]],
-        [[1.5, -1.5, -0.2], [1.5, -0.5, 0.5], [1.5, 0.5, 0.6], [1.5, 1.5, 0.9]],
+        [
+          [-1.5, -1.5, 0],
+          [-1.5, -0.5, 0.9],
+          [-1.5, 0.5, 0.7],
+          [-1.5, 1.5, -0.1],
+        ],
+        [
+          [-0.5, -1.5, 0.6],
+          [-0.5, -0.5, 2],
+          [-0.5, 0.5, 1.5],
+          [-0.5, 1.5, 0.5],
+        ],
+        [
+          [0.5, -1.5, 0.7],
+          [0.5, -0.5, 1.6],
+          [0.5, 0.5, -0.6],
+          [0.5, 1.5, 0.3],
+        ],
+        [
+          [1.5, -1.5, -0.2],
+          [1.5, -0.5, 0.5],
+          [1.5, 0.5, 0.6],
+          [1.5, 1.5, 0.9],
+        ],
       ],
       label: { de: "Kontrollnetz", en: "Control net" },
       range: [-4, 4],
@@ -64,7 +88,7 @@ export default defineDemo({
     space: spaceView({
       label: { de: "Fläche und Kontrollnetz", en: "Surface and control net" },
       target: [0, 0, 0.35],
-      radius: 2.15,
+      radius: 2,
       yaw: 28,
       pitch: 26,
       height: 0.6,
@@ -84,10 +108,10 @@ export default defineDemo({
       gaussian: curvature ? curvature.gaussian : null,
     };
   },
-  scene: ({ points, uv, shading, net, normal }, { u, v, s, normal: n }) => ({
+  scene: ({ points, shading, net, normal }, { u, v, s, normal: n }) => ({
     space: [
-      ground(-1, [-2, 2], [-2, 2], 0.5),
-      ...axisArrows([-2, -2, -1], 0.7),
+      ground(-1, [-1.75, 1.75], [-1.75, 1.75], 0.5),
+      ...axisArrows([-1.75, -1.75, -1], 0.6),
       patch("surface", sample(points), { name: "S", ...coloured(points, shading) }),
       ...patchEdges(points, "curve-rest"),
       path("u-line", "curve", bezierSteps(patchIsoCurve(points, "v", v)), { name: "u-line" }),
@@ -111,10 +135,16 @@ export default defineDemo({
         .map((corner) => formatPoint(corner, lang))
         .join(", ");
       if (lang === "de") {
-        const bend = gaussian === null ? "Dort gibt es keine Normale." : `Normale ${formatPoint(normal!, lang)}, Gaußsche Krümmung ${formatNumber(gaussian, lang)}.`;
+        const bend =
+          gaussian === null
+            ? "Dort gibt es keine Normale."
+            : `Normale ${formatPoint(normal!, lang)}, Gaußsche Krümmung ${formatNumber(gaussian, lang)}.`;
         return `Bikubisches Bézierstück mit den Ecken ${corners}. Bei ${at} liegt der Flächenpunkt ${formatPoint(s, lang)}. ${bend} Die Farbe zeigt: ${COLOURS[shading].de}.`;
       }
-      const bend = gaussian === null ? "There is no normal there." : `Normal ${formatPoint(normal!, lang)}, Gaussian curvature ${formatNumber(gaussian, lang)}.`;
+      const bend =
+        gaussian === null
+          ? "There is no normal there."
+          : `Normal ${formatPoint(normal!, lang)}, Gaussian curvature ${formatNumber(gaussian, lang)}.`;
       return `Bicubic Bézier patch with the corners ${corners}. At ${at} lies the surface point ${formatPoint(s, lang)}. ${bend} The colour shows: ${COLOURS[shading].en}.`;
     }),
   states: {
@@ -128,3 +158,38 @@ export default defineDemo({
     normals: { shading: "normals" },
   },
 });
+
+const COLOURS = {
+  lit: { de: "Licht und Schatten", en: "light and shade" },
+  normals: { de: "die Richtung der Normalen", en: "the direction of the normals" },
+  curvature: { de: "die Gaußsche Krümmung", en: "the Gaussian curvature" },
+  stripes: { de: "Streifen, die sich in der Fläche spiegeln", en: "stripes mirrored in the surface" },
+} as const;
+
+type Net = Parameters<typeof toFlatNet>[0];
+
+function sample(points: Net): Pick<PatchMark, "rows" | "columns" | "positions" | "normals"> {
+  const count = 3 * (STEPS + 1) ** 2;
+  const [positions, normals] = [new Float32Array(count), new Float32Array(count)];
+  tessellate(toFlatNet(points), positions, normals);
+  return { rows: STEPS + 1, columns: STEPS + 1, positions, normals };
+}
+
+function coloured(points: Net, shading: keyof typeof COLOURS): Partial<PatchMark> {
+  if (shading !== "curvature") return { shading };
+  const values = new Float64Array((STEPS + 1) ** 2);
+  sampleCurvature(toFlatNet(points), values);
+  return { shading: "values", values, range: [-CURVATURE, CURVATURE] };
+}
+
+function normalMarks(s: readonly number[], n: readonly number[] | null): Mark[] {
+  if (!n) {
+    const text = wording({ de: "keine Normale", en: "no normal" });
+    return [label("no-normal", "bad", s, text)];
+  }
+  const tip = s.map((x, k) => x + n[k]! * 0.8);
+  return [
+    arrow("normal", "tangent", s, tip, { name: "n" }),
+    label("normal-label", "tangent", tip, symbol("n"), { toward: n }),
+  ];
+}

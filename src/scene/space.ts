@@ -12,6 +12,7 @@ export interface SpaceWindow {
 /** How a window into space maps it to the drawing. */
 export interface SpaceTransform {
   readonly axes: Axes;
+  readonly target: XYZ;
   /** The picture as a plane, with the target at (0, 0): where projected marks are drawn. */
   readonly plane: ViewTransform;
   /** Across and up in the plane of the picture, and towards the eye; in units of space, from the target. */
@@ -68,5 +69,9 @@ export function fitSpace(view: View & { readonly space: SpaceWindow }, box: Box)
     // A coordinate that the picture does not show stays the very number it was.
     return through.map((x, k) => (right[k] || up[k] ? x + dx * right[k]! + dy * up[k]! : x));
   };
-  return { ...plane, toPixel: (p) => plane.toPixel(project(p)), space: { axes, plane, project, lift } };
+  return {
+    ...plane,
+    toPixel: (p) => plane.toPixel(project(p)),
+    space: { axes, target, plane, project, lift },
+  };
 }

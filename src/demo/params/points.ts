@@ -17,6 +17,8 @@ export interface PointsOptions {
   readonly letter?: string;
   /** Names of their own, where the points are not simply numbered. */
   readonly names?: readonly Label[];
+  /** What the coordinates are called, where not x and y. */
+  readonly axes?: readonly [string, string];
   /** The view in which the points are moved. Default: `plane`. */
   readonly view?: string;
   /** Where the points may be. Default: −20 … 20 in both directions. */
@@ -31,6 +33,7 @@ export interface PointsOptions {
 /** Points of the plane that can be moved, added and taken away. */
 export function points(options: PointsOptions): Param<PointList> {
   const { initial, label, letter = "c", names, view = "plane", precision = 2, indexed = true } = options;
+  const axes = options.axes ?? ["x", "y"];
   const min = options.min ?? initial.length;
   const max = options.max ?? initial.length;
   const ranges = [options.x ?? [-20, 20], options.y ?? [-20, 20]] as const;
@@ -88,7 +91,7 @@ export function points(options: PointsOptions): Param<PointList> {
       }),
     fields: (id, value) =>
       value.flatMap((at, i) =>
-        (["x", "y"] as const).map((axis, k): Field<PointList> => {
+        axes.map((axis, k): Field<PointList> => {
           return {
             kind: "number",
             id: `${id}.${i}.${axis}`,

@@ -1,0 +1,151 @@
+import { Camera, Scene, WebGLRenderer } from "three";
+import { readColour } from "../facet-colour.ts";
+import type { Palette, Token } from "../palette.ts";
+import type { FacetsPrimitive } from "../primitives.ts";
+import { createPatchMesh, type PatchMesh, type Uniforms } from "./patch-mesh.ts";
+
+/** Paints surfaces into the drawing surfaces of figures. */
+export interface ThreePainter {
+  painterFor(
+    context: CanvasRenderingContext2D,
+    palette: Palette,
+    scale: number,
+  ): (surfaces: FacetsPrimitive) => void;
+  forget(context: CanvasRenderingContext2D): void;
+}
+
+/** What is kept of a figure on the card: its patches by the key of their marks. */
+interface Kept {
+  readonly scene: Scene;
+  readonly meshes: Map<string, PatchMesh>;
+}
+
+/**
+ * The one painter of a page, with the one WebGL context. Every picture is drawn to its canvas and copied from there to
+ * the figure's own. `changed` hears of the painter once it can paint, of null when the context is lost, of the painter
+ * again when it is back, and of nothing where there is no WebGL.
+ */
+export function createThreePainter(changed: (painter: ThreePainter | null) => void): void {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 1;
+  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, depth: true });
+  if (!gl) return;
+  const renderer = new WebGLRenderer({ canvas, context: gl, alpha: true });
+  renderer.setClearColor(0, 0);
+  renderer.autoClear = false;
+  const camera = new Camera();
+  const figures = new Map<CanvasRenderingContext2D, Kept>();
+  let [width, height] = [1, 1];
+
+  const paint = (
+    context: CanvasRenderingContext2D,
+    palette: Palette,
+    scale: number,
+    { patches, space }: FacetsPrimitive,
+  ) => {
+    const { box } = space.plane;
+    const [left, top] = [Math.floor(box.left * scale), Math.floor(box.top * scale)];
+    const w = Math.ceil((box.left + box.width) * scale) - left;
+    const h = Math.ceil((box.top + box.height) * scale) - top;
+    if (w > width || h > height) {
+      [width, height] = [Math.max(w, width), Math.max(h, height)];
+      renderer.setSize(width, height, false);
+    }
+    const kept = keep(figures, context);
+    const seen = new Set<string>();
+    for (const patch of patches) {
+      seen.add(patch.key);
+      meshOf(kept, patch).update(patch);
+    }
+    for (const [key, entry] of kept.meshes) {
+      if (seen.has(key)) continue;
+      kept.scene.remove(entry.mesh);
+      entry.dispose();
+      kept.meshes.delete(key);
+    }
+    // One measure of depth for all patches, or they would not hide each other.
+    const reach = Math.max(...[...kept.meshes.values()].map((entry) => entry.reach));
+    for (const { uniforms } of kept.meshes.values()) {
+      setWindow(uniforms, space, scale, { left, top, w, h });
+      setColours(uniforms, palette);
+      uniforms.depthScale.value = 1 / (1e-9 + reach + Math.hypot(...space.target));
+    }
+    renderer.setViewport(0, 0, w, h);
+    renderer.setScissor(0, 0, w, h);
+    renderer.setScissorTest(true);
+    renderer.clear();
+    renderer.render(kept.scene, camera);
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(canvas, 0, height - h, w, h, left, top, w, h);
+    context.restore();
+  };
+
+  const painter: ThreePainter = {
+    painterFor: (context, palette, scale) => (surfaces) => paint(context, palette, scale, surfaces),
+    forget(context) {
+      for (const entry of figures.get(context)?.meshes.values() ?? []) entry.dispose();
+      figures.delete(context);
+    },
+  };
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    changed(null);
+  });
+  canvas.addEventListener("webglcontextrestored", () => changed(painter));
+  changed(painter);
+}
+
+function keep(figures: Map<CanvasRenderingContext2D, Kept>, context: CanvasRenderingContext2D): Kept {
+  let kept = figures.get(context);
+  if (!kept) {
+    kept = { scene: new Scene(), meshes: new Map() };
+    figures.set(context, kept);
+  }
+  return kept;
+}
+
+/** The mesh of a patch; one whose grid has changed its size is made anew. */
+function meshOf({ scene, meshes }: Kept, patch: FacetsPrimitive["patches"][number]): PatchMesh {
+  const old = meshes.get(patch.key);
+  if (old && old.rows === patch.rows && old.columns === patch.columns) return old;
+  if (old) {
+    scene.remove(old.mesh);
+    old.dispose();
+  }
+  const made = createPatchMesh(patch);
+  meshes.set(patch.key, made);
+  scene.add(made.mesh);
+  return made;
+}
+
+function setWindow(
+  uniforms: Uniforms,
+  space: FacetsPrimitive["space"],
+  scale: number,
+  { left, top, w, h }: { left: number; top: number; w: number; h: number },
+): void {
+  const { axes, plane, target } = space;
+  const { right, up, eye } = axes;
+  uniforms.axes.value.set(right[0]!, right[1]!, right[2]!, up[0]!, up[1]!, up[2]!, eye[0]!, eye[1]!, eye[2]!);
+  uniforms.target.value.set(target[0]!, target[1]!, target[2]!);
+  // Where the target stands in the piece of canvas that is copied: from −1 to 1, upwards.
+  const [x, y] = plane.toPixel([0, 0]);
+  uniforms.windowOffset.value.set(((x * scale - left) / w) * 2 - 1, 1 - ((y * scale - top) / h) * 2);
+  uniforms.windowScale.value.set((2 * plane.scale[0]! * scale) / w, (2 * plane.scale[1]! * scale) / h);
+}
+
+const COLOURS = {
+  frontDim: "front-dim",
+  frontLit: "front-lit",
+  backDim: "back-dim",
+  backLit: "back-lit",
+  stripeDim: "curve",
+} as const satisfies Partial<Record<keyof Uniforms, Token>>;
+
+function setColours(uniforms: Uniforms, palette: Palette): void {
+  for (const name of Object.keys(COLOURS) as (keyof typeof COLOURS)[]) {
+    const [r, g, b] = readColour(palette[COLOURS[name]]);
+    uniforms[name].value.set(r / 255, g / 255, b / 255);
+  }
+}
