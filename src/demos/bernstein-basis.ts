@@ -109,8 +109,7 @@ export default defineDemo({
       stack: bernsteinStack(n, t, weights, shown),
     };
   },
-  readout: ({ t, degree, i }, { value, sum }) => [
-    { label: symbol("t"), value: t },
+  readout: ({ degree, i }, { value, sum }) => [
     { label: { ...symbol("B", i, degree), args: ["t"] }, value, digits: 3, index: i },
     { label: { base: "Σ" }, value: sum },
   ],

@@ -8,7 +8,7 @@ import {
   lagrangeBasis,
   type Point,
 } from "../math/index.ts";
-import { barView, parameterBar, weightBar } from "../scene/bars.ts";
+import { barView, weightBar } from "../scene/bars.ts";
 import { bezierSteps } from "../scene/bezier-steps.ts";
 import { disc, label, path, point, polyline, region } from "../scene/draw.ts";
 import { endTangents } from "../scene/end-tangents.ts";
@@ -114,20 +114,18 @@ export default defineDemo({
         point("p", bezier ? "curve" : "bad", values.p, { name: "p" }),
         label("p-label", bezier ? "curve" : "bad", values.p, { base: "p", args: [t] }),
       ],
-      bar:
-        weights && bezier
-          ? weightBar(values.weights, (w) => wording(inBoth((lang) => formatNumber(w, lang, 3, true))))
-          : parameterBar(t),
+      bar: weights
+        ? weightBar(values.weights, (w) => wording(inBoth((lang) => formatNumber(w, lang, 3, true))))
+        : [],
     };
   },
-  readout: ({ t, tangents }, { p, start, end, sum }) =>
+  readout: ({ tangents }, { p, start, end, sum }) =>
     tangents
       ? [
           { label: { base: "p", prime: 1, args: [0] }, value: start },
           { label: { base: "p", prime: 1, args: [1] }, value: end },
         ]
       : [
-          { label: { base: "t" }, value: t },
           { label: { base: "p", args: ["t"] }, value: p },
           { label: wording({ de: "Summe der Gewichte", en: "sum of the weights" }), value: sum },
         ],

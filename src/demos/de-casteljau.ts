@@ -76,10 +76,7 @@ export default defineDemo({
       ],
     };
   },
-  readout: ({ t }, { p }) => [
-    { label: { base: "t" }, value: t },
-    { label: { base: "p", args: ["t"] }, value: p },
-  ],
+  readout: (_, { p }) => [{ label: { base: "p", args: ["t"] }, value: p }],
   describe: ({ points, t, rounds, split }, { p, left, right }) => {
     const n = points.length - 1;
     return inBoth((lang) => {
