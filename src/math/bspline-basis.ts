@@ -9,6 +9,7 @@ import { checkKnots, findSpan, knotDomain } from "./knots.ts";
  * adds up to 1 on its part of the domain. At a knot the functions are taken from the right, at the right end of the
  * domain from the left. Outside the domain (unclamped knots) the functions are those of the whole knot vector, which
  * no longer add up to 1; outside the knots all are 0.
+ * After M. G. Cox, The numerical evaluation of B-splines, and C. de Boor, On calculating with B-splines.
  *
  * @throws RangeError for bad knots (see `checkKnots`) or a number that is not finite.
  */

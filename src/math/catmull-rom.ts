@@ -10,6 +10,8 @@ import { add, type Point, scale, sub } from "./point.ts";
  *
  * alpha = 0 is the uniform spline (it equals parabolic blending), ½ the centripetal one, which has neither cusps nor
  * loops within a segment, 1 the chordal one. The first and last segments are pieces of the end parabolas. C¹ and local.
+ * Authors: E. Catmull and R. Rom, A class of local interpolating splines; C. Yuksel, S. Schaefer and J. Keyser,
+ * Parameterization and applications of Catmull-Rom curves.
  *
  * @throws RangeError if there are fewer than three points, dimensions differ, a number is not finite, alpha is not in
  * [0, 1] or, for alpha > 0, two neighbouring points coincide.

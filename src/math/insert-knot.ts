@@ -8,6 +8,7 @@ import { lerp, type Point } from "./point.ts";
  *
  * The new control points d_i* = (1 − a_i)·d_{i−1} + a_i·d_i, with a_i = (t − u_i)/(u_{i+p} − u_i) limited to [0, 1], lie
  * on the legs of the old control polygon: corners are cut. At multiplicity p the control point is on the curve.
+ * After W. Boehm, Inserting new knots into B-spline curves.
  *
  * @throws RangeError if t is outside the domain, the multiplicity would exceed the degree, `times` is not a whole
  * number ≥ 0, or as `bsplineCurve`.

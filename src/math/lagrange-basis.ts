@@ -23,15 +23,22 @@ export function lagrangeBasis(nodes: readonly number[], t: number): number[] {
 /**
  * The r-th derivatives of the Lagrange polynomials at t.
  *
- * Each product is multiplied out as a Taylor polynomial about t, cut off after the power r: the factor
- * (t + ε − t_j)/(t_i − t_j) turns a coefficient c_k into c_k·(t − t_j)/(t_i − t_j) + c_{k−1}/(t_i − t_j).
- *
  * @throws RangeError as `lagrangeBasis`, and if r is not a whole number ≥ 0.
  */
 export function lagrangeBasisDerivative(nodes: readonly number[], t: number, r = 1): number[] {
   checkDistinct("nodes", nodes);
   checkNumber("t", t);
   checkInteger("r", r, 0);
+  return lagrangeDerivatives(nodes, t, r).map((derivatives) => derivatives[r]!);
+}
+
+/**
+ * The derivatives of order 0 … r of every Lagrange polynomial at t, `[i][k]`; for nodes that have been checked.
+ *
+ * Each product is multiplied out as a Taylor polynomial about t, cut off after the power r: the factor
+ * (t + ε − t_j)/(t_i − t_j) turns a coefficient c_k into c_k·(t − t_j)/(t_i − t_j) + c_{k−1}/(t_i − t_j).
+ */
+export function lagrangeDerivatives(nodes: readonly number[], t: number, r: number): number[][] {
   return nodes.map((ti, i) => {
     const c = [1, ...new Array<number>(r).fill(0)];
     nodes.forEach((tj, j) => {
@@ -40,7 +47,9 @@ export function lagrangeBasisDerivative(nodes: readonly number[], t: number, r =
       c[0] = c[0]! * ((t - tj) / (ti - tj));
     });
     let factorial = 1;
-    for (let k = 2; k <= r; k++) factorial *= k;
-    return factorial * c[r]!;
+    return c.map((coefficient, k) => {
+      factorial *= k || 1;
+      return factorial * coefficient;
+    });
   });
 }

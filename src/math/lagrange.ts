@@ -8,7 +8,7 @@ import {
   checkSameLength,
 } from "./check.ts";
 import type { Curve } from "./curve.ts";
-import { lagrangeBasisDerivative } from "./lagrange-basis.ts";
+import { lagrangeDerivatives } from "./lagrange-basis.ts";
 import { combine, type Point } from "./point.ts";
 
 /**
@@ -67,7 +67,10 @@ function interpolant(nodes: readonly number[], points: readonly Point[]): (t: nu
   const unit = width > 0 ? width / 4 : 1;
   const weights = weightsInUnit(nodes, unit);
   return (t, r = 0) => {
-    if (r > 0) return combine(lagrangeBasisDerivative(nodes, t, r), points);
+    if (r > 0) {
+      const weights = lagrangeDerivatives(nodes, t, r).map((derivatives) => derivatives[r]!);
+      return combine(weights, points);
+    }
     const hit = nodes.indexOf(t);
     if (hit >= 0) return points[hit]!;
     const products = nodeProducts(nodes, t, unit);
@@ -76,8 +79,8 @@ function interpolant(nodes: readonly number[], points: readonly Point[]): (t: nu
   };
 }
 
-/** A polynomial curve splits by restricting its domain. */
-function onDomain(curve: Curve): Curve {
+/** A curve of one polynomial splits by restricting its domain. */
+export function onDomain(curve: Curve): Curve {
   const [a, b] = curve.domain;
   return {
     ...curve,

@@ -27,6 +27,7 @@ function blend(points: readonly Point[], r: number, t: number): Point {
  *
  * S_r(t) = (1 − t)·Q_r(t) + t·Q_{r+1}(t − 1), where the parabola Q_r meets the points r − 1, r, r + 1 at −1, 0, 1. In
  * the first and the last segment there is only one parabola, which is kept.
+ * After A. W. Overhauser, Analytic definition of curves and surfaces by parabolic blending.
  *
  * @throws RangeError if there are fewer than three points, dimensions differ, a number is not finite or there is no
  * segment r.

@@ -355,10 +355,15 @@ describe("curvature", () => {
   });
 
   test("of a graph: K = (f_xx f_yy − f_xy²)/(1 + f_x² + f_y²)²", () => {
-    const f = (x: number, y: number, k: number, l: number): number =>
-      ({ "00": x * x * y + y * y, "10": 2 * x * y, "01": x * x + 2 * y, "20": 2 * y, "11": 2 * x, "02": 2 })[
-        `${k}${l}`
-      ] ?? 0;
+    const partials: Record<string, (x: number, y: number) => number> = {
+      "00": (x, y) => x * x * y + y * y,
+      "10": (x, y) => 2 * x * y,
+      "01": (x, y) => x * x + 2 * y,
+      "20": (_, y) => 2 * y,
+      "11": (x) => 2 * x,
+      "02": () => 2,
+    };
+    const f = (x: number, y: number, k: number, l: number): number => partials[`${k}${l}`]?.(x, y) ?? 0;
     const surface = graphSurface(f, [-1, 1], [-2, 2]);
     forAll([unit, unit], (s, t) => {
       const [x, y] = [2 * s - 1, 4 * t - 2];
