@@ -22,7 +22,7 @@ export const ROLES: Readonly<Record<Role, RoleStyle>> = {
   derived: { token: "lath", width: 1.25, fill: 0.1 },
   tangent: { token: "lath", width: 1.75, fill: 0.1 },
   hull: { token: "ink", text: "soft", width: 1, fill: 0.05 },
-  weight: { token: "lath", text: "paper", width: 1.5, fill: 0.9 },
+  weight: { token: "lath", text: "paper", width: 1.5, fill: 1 },
   ghost: { token: "soft", width: 1.5, dash: [5, 4], fill: 0.05 },
   guide: { token: "soft", width: 1, dash: [2, 3], fill: 0.05 },
   reference: { token: "ink", width: 1.25, dash: [7, 4], fill: 0.05 },
