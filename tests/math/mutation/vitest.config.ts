@@ -5,7 +5,7 @@ import { defineConfig } from "vitest/config";
 export default defineConfig({
   test: {
     testNamePattern: /^(?!.*a million points)/,
-    include: ["tests/math/**/*.test.ts"],
+    include: (process.env.MUTATION_TESTS ?? "tests/math/**/*.test.ts").split(","),
     env: { PROPERTY_RUNS: "25" },
     bail: 1,
   },
