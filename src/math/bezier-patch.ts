@@ -36,6 +36,8 @@ export function checkNet(name: string, net: ControlNet): number {
  */
 export function patchPoint(net: ControlNet, u: number, v: number): Point {
   checkNet("controlPoints", net);
+  checkNumber("u", u);
+  checkNumber("v", v);
   const moving = net.map((row) => bezierPoint(row, v));
   return bezierPoint(moving, u);
 }
@@ -49,6 +51,8 @@ export function patchPartial(net: ControlNet, u: number, v: number, k: number, l
   checkNet("controlPoints", net);
   checkInteger("k", k, 0);
   checkInteger("l", l, 0);
+  checkNumber("u", u);
+  checkNumber("v", v);
   const moving = net.map((row) => bezierDerivative(row, v, l));
   return bezierDerivative(moving, u, k);
 }

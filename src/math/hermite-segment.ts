@@ -1,4 +1,4 @@
-import { checkNumber, checkPoints } from "./check.ts";
+import { checkNumber, checkPoint, checkPoints } from "./check.ts";
 import { applyToGeometry, type Matrix4, type Row4 } from "./matrix4.ts";
 import { add, combine, type Point, scale, sub } from "./point.ts";
 
@@ -30,10 +30,9 @@ export function hermiteCubicBasisPointsFirst(t: number, r = 0): Row4 {
  * @throws RangeError if dimensions differ or a number is not finite.
  */
 export function hermitePoint(p0: Point, m0: Point, m1: Point, p1: Point, t: number, r = 0): Point {
-  const geometry = [p0, m0, m1, p1];
-  checkPoints("[p0, m0, m1, p1]", geometry);
+  checkSegment(p0, m0, m1, p1);
   checkNumber("t", t);
-  return combine(hermiteCubicBasis(t, r), geometry);
+  return combine(hermiteCubicBasis(t, r), [p0, m0, m1, p1]);
 }
 
 /**
@@ -47,7 +46,7 @@ export function hermiteCoefficients(
   m1: Point,
   p1: Point,
 ): [Point, Point, Point, Point] {
-  checkPoints("[p0, m0, m1, p1]", [p0, m0, m1, p1]);
+  checkSegment(p0, m0, m1, p1);
   const chord = sub(p1, p0);
   const a = add(scale(chord, -2), add(m0, m1));
   const b = sub(scale(chord, 3), add(scale(m0, 2), m1));
@@ -60,7 +59,7 @@ export function hermiteCoefficients(
  * @throws RangeError if dimensions differ or a number is not finite.
  */
 export function hermiteToBezier(p0: Point, m0: Point, m1: Point, p1: Point): [Point, Point, Point, Point] {
-  checkPoints("[p0, m0, m1, p1]", [p0, m0, m1, p1]);
+  checkSegment(p0, m0, m1, p1);
   return [p0, add(p0, scale(m0, 1 / 3)), sub(p1, scale(m1, 1 / 3)), p1];
 }
 
@@ -119,4 +118,11 @@ export function hermiteCoefficientMatrix(tr: number, tr1: number, geometry: read
   checkPoints("geometry", geometry, 4);
   if (geometry.length !== 4) throw new RangeError(`geometry: expected 4 points, got ${geometry.length}`);
   return applyToGeometry(hermiteMatrix(tr, tr1).Kinv, geometry);
+}
+
+function checkSegment(p0: Point, m0: Point, m1: Point, p1: Point): void {
+  checkPoint("p0", p0);
+  checkPoint("m0", m0, p0.length);
+  checkPoint("m1", m1, p0.length);
+  checkPoint("p1", p1, p0.length);
 }

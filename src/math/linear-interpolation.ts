@@ -45,6 +45,10 @@ export function linearValue(
   v2: number,
   position: number,
 ): LinearValue | null {
+  Object.entries({ p1, v1, p2, v2, position }).forEach(([name, value]) => {
+    checkNumber(name, value);
+  });
+  // The same straight line, with the parts of value and position exchanged.
   const result = linearPosition([v1], p1, [v2], p2, position);
   return result && { alpha: result.alpha, value: result.position[0]! };
 }
