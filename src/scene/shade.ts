@@ -11,9 +11,9 @@ export const LIGHT = unit([-0.42, 0.62, 0.66]);
 const HALFWAY = unit([LIGHT[0]!, LIGHT[1]!, LIGHT[2]! + 1]);
 
 export const LIT = {
-  base: 0.18,
-  light: 0.62,
-  eye: 0.2,
+  base: 0.04,
+  light: 0.68,
+  eye: 0.22,
   gloss: 0.14,
   hardness: 28,
   halfway: HALFWAY,
