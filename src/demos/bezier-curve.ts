@@ -189,7 +189,7 @@ export default defineDemo({
         [0.3, 0.3],
         [0.3, 0.3],
         [3.3, 2.7],
-        [4.4, 0.3],
+        [3.6, 2.3],
       ],
       tangents: true,
     },
