@@ -57,9 +57,6 @@ function axes(view: View, { box, x, y, scale, toPixel }: ViewTransform, lang: La
   const axisY = sharp(y[0] <= 0 && y[1] >= 0 ? zeroY : bottom);
   const shown = shownAxes(view);
   const list: Primitive[] = [];
-  const put = (ends: readonly Ends[], numbers: readonly Primitive[]) => {
-    list.push(lines("axis", ends), ...numbers);
-  };
   // Where no grid leads to the numbers, small strokes on the axes do.
   const stroke = view.grid ? 0 : 3;
   if (shown.x) {
@@ -67,12 +64,9 @@ function axes(view: View, { box, x, y, scale, toPixel }: ViewTransform, lang: La
     const places = values.map((value) => toPixel([value, 0])[0]);
     const strokes =
       stroke > 0 ? places.map((at): Ends => [sharp(at), axisY - stroke, sharp(at), axisY + stroke]) : [];
-    put(
-      [[box.left, axisY, right, axisY], ...strokes],
-      values.map((value, i) =>
-        number([places[i]!, bottom + 20], "middle", formatNumber(value, lang, digits)),
-      ),
-    );
+    list.push(lines("axis", [[box.left, axisY, right, axisY], ...strokes]));
+    const spots = values.map((value, i) => ({ value, dx: places[i]!, dy: bottom + 20 }));
+    list.push(numbers(spots, "middle", lang, digits));
     if (view.axes?.x?.base) list.push(nameOfX(view.axes.x, lang, right, axisY));
   }
   if (shown.y) {
@@ -80,20 +74,30 @@ function axes(view: View, { box, x, y, scale, toPixel }: ViewTransform, lang: La
     const places = values.map((value) => toPixel([0, value])[1]);
     const strokes =
       stroke > 0 ? places.map((at): Ends => [axisX - stroke, sharp(at), axisX + stroke, sharp(at)]) : [];
-    put(
-      [[axisX, box.top, axisX, bottom], ...strokes],
-      values.map((value, i) =>
-        number([box.left - 8, places[i]! + SIZE.axisNumber * 0.34], "end", formatNumber(value, lang, digits)),
-      ),
-    );
+    list.push(lines("axis", [[axisX, box.top, axisX, bottom], ...strokes]));
+    const spots = values.map((value, i) => ({
+      value,
+      dx: box.left - 8,
+      dy: places[i]! + SIZE.axisNumber * 0.34,
+    }));
+    list.push(numbers(spots, "end", lang, digits));
     if (view.axes?.y?.base) list.push(nameOfY(view.axes.y, lang, axisX, box.top));
   }
   return list;
 }
 
-function number(at: readonly number[], anchor: "middle" | "end", digits: string): Primitive {
-  const runs = [{ text: digits, font: "text", size: SIZE.axisNumber, dx: 0, dy: 0 }] as const;
-  return { kind: "text", role: "axis", part: "plain", at, anchor, runs };
+/** The numbers of an axis, each at its own place. */
+function numbers(
+  spots: readonly { readonly value: number; readonly dx: number; readonly dy: number }[],
+  anchor: "middle" | "end",
+  lang: Lang,
+  digits: number,
+): Primitive {
+  const runs = spots.map(({ value, dx, dy }) => {
+    const text = formatNumber(value, lang, digits);
+    return { text, font: "text", size: SIZE.axisNumber, dx, dy } as const;
+  });
+  return { kind: "text", role: "axis", part: "plain", at: [0, 0], anchor, runs };
 }
 
 /** At the end of the axis, or above it where the name is too long for the margin. */

@@ -36,6 +36,7 @@ export interface TextRun {
   readonly dy: number;
 }
 
+/** Lettering: runs, each from its own place on, or ending or centred there. */
 export interface TextPrimitive extends PrimitiveBase {
   readonly kind: "text";
   readonly at: XY;

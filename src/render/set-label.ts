@@ -18,7 +18,7 @@ export interface SetText {
 export function setLabel(label: Label, lang: Lang, size?: number): SetText {
   const words = label.style === "text";
   const full = size ?? (words ? SIZE.words : SIZE.label);
-  const small = (full * SIZE.script) / SIZE.label;
+  const small = Math.round((full * SIZE.script) / SIZE.label);
   const runs: TextRun[] = [];
   const put = (text: string, runSize: number, from: number, dy: number): number => {
     let x = from;

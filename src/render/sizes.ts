@@ -14,6 +14,9 @@ export const SIZE = {
   arrowWidth: 8,
 } as const;
 
+/** All sizes of lettering besides that of labels: numbers, words, names of axes, and what is set small there. */
+export const TEXT_SIZES = [SIZE.script, SIZE.words, SIZE.axisName, 11, 10];
+
 /** The families of lettering: symbols, digits and brackets, words. */
 export const FONTS = {
   math: 'KaTeX_Math, "Latin Modern Math", "STIX Two Text", Cambria, Georgia, serif',

@@ -1,10 +1,10 @@
-import type { PathStep } from "../scene/marks.ts";
+import type { PathStep, XY } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
 import { mapColour, NO_VALUE } from "./colour-map.ts";
 import { paintOf } from "./paint.ts";
 import type { Palette } from "./palette.ts";
 import { pngUrl } from "./png.ts";
-import type { Drawing, Primitive, RasterPrimitive, TextPrimitive } from "./primitives.ts";
+import type { Drawing, Primitive, RasterPrimitive, TextPrimitive, TextRun } from "./primitives.ts";
 import { FONTS, SIZE } from "./sizes.ts";
 import { facetsNode } from "./svg-facets.ts";
 
@@ -144,17 +144,33 @@ function pathData(steps: readonly PathStep[]): string {
 
 function text({ at, anchor, runs }: TextPrimitive, look: Attributes, colours: Palette | undefined): SvgNode {
   const place: Attributes = anchor === "start" ? {} : { "text-anchor": anchor };
-  const spans = runs.map((run) => {
-    const font: Attributes = colours
-      ? {
-          "font-family": FONTS[run.font],
-          "font-size": short(run.size),
-          ...(run.font === "math" ? { "font-style": "italic" } : {}),
-        }
-      : { class: `f-${run.font}`, ...(run.size === SIZE.label ? {} : { "font-size": short(run.size) }) };
-    return node("tspan", { ...font, x: short(at[0]! + run.dx), y: short(at[1]! + run.dy) }, [run.text]);
-  });
+  const first = runs[0];
+  if (first && runs.every(({ font, size }) => font === first.font && size === first.size)) {
+    // One font for all: said once.
+    const font = fontOf(first, colours);
+    const both = colours ? font : { class: `${look.class} ${font.class}` };
+    if (runs.length === 1)
+      return node("text", { ...look, ...both, ...place, ...startOf(at, first) }, [first.text]);
+    const spans = runs.map((run) => node("tspan", startOf(at, run), [run.text]));
+    return node("text", { ...look, ...both, ...place }, spans);
+  }
+  const spans = runs.map((run) =>
+    node("tspan", { ...fontOf(run, colours), ...startOf(at, run) }, [run.text]),
+  );
   return node("text", { ...look, ...place }, spans);
+}
+
+function startOf(at: XY, { dx, dy }: TextRun): Attributes {
+  return { x: short(at[0]! + dx), y: short(at[1]! + dy) };
+}
+
+function fontOf({ font, size }: TextRun, colours: Palette | undefined): Attributes {
+  if (!colours) return { class: size === SIZE.label ? `f-${font}` : `f-${font} s${size}` };
+  return {
+    "font-family": FONTS[font],
+    "font-size": short(size),
+    ...(font === "math" ? { "font-style": "italic" } : {}),
+  };
 }
 
 /** Few cells as rectangles, which stay sharp everywhere; many as a picture. */

@@ -1,6 +1,6 @@
 import { INDEX_COUNT, type Palette, palettes } from "./palette.ts";
 import { PARTS, type PartStyle, ROLES } from "./roles.ts";
-import { FONTS, SIZE } from "./sizes.ts";
+import { FONTS, SIZE, TEXT_SIZES } from "./sizes.ts";
 import { facetsCss } from "./svg-facets.ts";
 
 function properties(palette: Palette): string {
@@ -42,6 +42,7 @@ export function figureCss(scope: string): string {
   for (const [font, family] of Object.entries(FONTS)) {
     rules.push(rule(`.f-${font}`, `font-family:${family}${font === "math" ? ";font-style:italic" : ""}`));
   }
+  for (const size of TEXT_SIZES) rules.push(rule(`.s${size}`, `font-size:${size}px`));
   rules.push(`${scope} text{font-size:${SIZE.label}px}`, facetsCss(scope));
   return rules.join("\n");
 }

@@ -2,6 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { displayList } from "../../src/render/display-list.ts";
 import type { Primitive, TextPrimitive } from "../../src/render/primitives.ts";
+import { textWidth } from "../../src/render/text-width.ts";
 import { disc, label, path, point, polyline, region } from "../../src/scene/draw.ts";
 import { symbol, wording } from "../../src/scene/label.ts";
 import type { Mark, XY } from "../../src/scene/marks.ts";
@@ -18,7 +19,11 @@ function draw(marks: readonly Mark[], view: Partial<View> = {}, lit: string[] = 
 const texts = (list: readonly Primitive[]) =>
   list
     .filter((one): one is TextPrimitive => one.kind === "text")
-    .map(({ runs }) => runs.map((r) => r.text).join(""));
+    .flatMap(({ role, runs }) => {
+      const words = runs.map((run) => run.text);
+      // The numbers of an axis are one text, but each stands for itself.
+      return role === "axis" ? words : [words.join("")];
+    });
 
 describe("kinds of marks", () => {
   test.each(Object.keys(EACH) as (keyof typeof EACH)[])("%s is drawn", (kind) => {
@@ -242,10 +247,15 @@ describe("grid and axes", () => {
     const list = draw([], { ...axes, axes: { x: symbol("t"), y: symbol("B", "i", "3") } });
     for (const one of list) {
       if (one.kind !== "text") continue;
-      expect(one.at[0]).toBeGreaterThan(0);
-      expect(one.at[0]).toBeLessThan(412);
-      expect(one.at[1]).toBeGreaterThan(8);
-      expect(one.at[1]).toBeLessThan(312);
+      for (const { text, font, size, dx, dy } of one.runs) {
+        const width = textWidth(text, font, size);
+        const left =
+          one.at[0]! + dx - (one.anchor === "end" ? width : one.anchor === "middle" ? width / 2 : 0);
+        expect(left, text).toBeGreaterThanOrEqual(0);
+        expect(left + width, text).toBeLessThanOrEqual(412);
+        expect(one.at[1]! + dy - 0.7 * size, text).toBeGreaterThanOrEqual(0);
+        expect(one.at[1]! + dy, text).toBeLessThan(312);
+      }
     }
   });
 

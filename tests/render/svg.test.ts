@@ -25,7 +25,7 @@ test("in a page: classes, no colours, no ids, no style sheet", async () => {
   expect(svg).toMatch(
     /^<svg viewBox="0 0 736 560" role="img" aria-label="Kurve mit &quot;Griffen&quot; &lt;4&gt; &amp; mehr">/,
   );
-  await expect(lines(svg)).toMatchFileSnapshot("snapshots/page.svg");
+  await expect(lines(svg)).toMatchFileSnapshot("snapshots/page.svg.txt");
 });
 
 test("as a file: size, paper, colours of the theme, title", async () => {
@@ -34,7 +34,7 @@ test("as a file: size, paper, colours of the theme, title", async () => {
   expect(svg).toContain("<title>Kurve mit &quot;Griffen&quot; &lt;4&gt; &amp; mehr</title>");
   expect(svg).toContain(`<rect width="736" height="560" fill="${palettes.dark.paper}"/>`);
   expect(svg).not.toMatch(/class=|var\(|<style/);
-  await expect(lines(svg)).toMatchFileSnapshot("snapshots/dark.svg");
+  await expect(lines(svg)).toMatchFileSnapshot("snapshots/dark.svg.txt");
   const clear = writeSvg(svgTree(drawing, { title: TITLE, colours: palettes.light, transparent: true }));
   expect(clear).not.toContain("<rect width");
 });

@@ -2,6 +2,8 @@ import { describe, expect, test } from "vitest";
 import { displayList } from "../../src/render/display-list.ts";
 import { paintOf } from "../../src/render/paint.ts";
 import { PARTS, type Part, ROLES } from "../../src/render/roles.ts";
+import { setLabel } from "../../src/render/set-label.ts";
+import { SIZE } from "../../src/render/sizes.ts";
 import { type SvgNode, svgTree } from "../../src/render/svg-tree.ts";
 import { figureCss, palettes, themeCss } from "../../src/render/theme.ts";
 import type { Role } from "../../src/scene/marks.ts";
@@ -69,6 +71,17 @@ describe("themeCss", () => {
     expect(themeCss(":host")).toContain(':host([data-theme="dark"])');
     expect(themeCss(":host")).not.toContain(":host[");
   });
+});
+
+test("every size of lettering that can occur has a class", () => {
+  const css = figureCss("svg");
+  const label = { base: "B", sub: "i", args: [1] };
+  for (const size of [undefined, SIZE.axisName, SIZE.words]) {
+    for (const run of setLabel(label, "de", size).runs) {
+      if (run.size !== SIZE.label) expect(css).toContain(`svg .s${run.size}{font-size:${run.size}px}`);
+    }
+  }
+  for (const run of setLabel({ ...label, style: "text" }, "de").runs) expect(css).toContain(`.s${run.size}{`);
 });
 
 test("figureCss has a rule for every class of a picture in a page", () => {
