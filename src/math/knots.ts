@@ -130,8 +130,8 @@ export function uniformKnots(degree: number, count: number): number[] {
 }
 
 /**
- * The data of a closed (periodic) uniform B-spline through its first control point again: uniform knots and the control
- * points with the first `degree` of them repeated at the end. The curve is C^{degree−1} where it closes.
+ * The data of a closed (periodic) uniform B-spline: uniform knots and the control points with the first `degree` of
+ * them repeated at the end. The curve is C^{degree−1} where it closes.
  *
  * @throws RangeError if the degree is not a whole number ≥ 1 or there are fewer than degree control points.
  */

@@ -24,15 +24,15 @@ export function surfaceNormal(surface: Surface, u: number, v: number): Point | n
  *
  * On a collapsed edge u = a the derivative S_v is zero all along and S_u × S_v vanishes; the limit has the direction of
  * its first derivative in u that does not. Different lines into one point may have different limits: then the surface
- * has a tip there and no tangent plane. Looked for up to order 8.
+ * has a tip there and no tangent plane. Looked for up to order 7.
  */
 export function limitNormal(surface: Surface, u: number, v: number): Point | null {
   const normal = surfaceNormal(surface, u, v);
   if (normal) return normal;
   const [[u0, u1], [v0, v1]] = surface.domain;
+  // Where two collapsed edges meet, neither has a limit: along each of them nothing moves.
   if ((u === u0 || u === u1) && isCollapsed(surface, "u", u)) {
-    const limit = limitAcross(surface, u, v, "u", u === u1 ? -1 : 1);
-    if (limit) return limit;
+    return limitAcross(surface, u, v, "u", u === u1 ? -1 : 1);
   }
   if ((v === v0 || v === v1) && isCollapsed(surface, "v", v)) {
     return limitAcross(surface, u, v, "v", v === v1 ? -1 : 1);
@@ -68,11 +68,12 @@ function limitAcross(
     across === "u" ? surface.partial(u, v, k, l) : surface.partial(u, v, l, k);
   // With respect to the other parameter the product changes its sign: S_v × S_u = −S_u × S_v.
   const order = across === "u" ? 1 : -1;
-  for (let r = 1; r <= 8; r++) {
-    // Leibniz' rule for the r-th derivative of a × b, a the derivative across and b the one along the edge.
+  for (let r = 1; r <= 7; r++) {
+    // Leibniz' rule for the r-th derivative of a × b, a the derivative across and b the one along the edge. The last
+    // summand is missing, since b itself is zero there.
     let product: Point = [0, 0, 0];
     let size = 0;
-    for (let i = 0; i <= r; i++) {
+    for (let i = 0; i < r; i++) {
       const a = partial(i + 1, 0);
       const b = partial(r - i, 1);
       product = add(product, scale(cross(a, b), binomial(r, i)));

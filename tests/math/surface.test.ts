@@ -287,14 +287,116 @@ describe("normals", () => {
     },
   );
 
-  test("a tip of higher order: two collapsed rows", () => {
-    // Rows 0 and 1 in one point: S_u vanishes too; the limit comes from the third derivative of S_u × S_v.
-    const rows = bicubic.map((row, i) => (i < 2 ? row.map(() => [0, 1, 0]) : row));
-    for (const turn of [false, true]) {
-      const patch = bezierPatch(turn ? [...rows].reverse() : rows);
-      const [end, near] = turn ? [1, 1 - 1e-4] : [0, 1e-4];
-      expect(distance(limitNormal(patch, end, 0.3)!, surfaceNormal(patch, near, 0.3)!)).toBeLessThan(1e-3);
+  test("tips of higher order: two and four rows in one point, up to rounding", () => {
+    const quintic: ControlNet = Array.from({ length: 6 }, (_, i) =>
+      Array.from({ length: 3 }, (_, j) => [i, (j - 1) * i + 0.3 * j, i * i * 0.2 + Math.cos(3 * j + i)]),
+    );
+    for (const [base, rows, distanceInside] of [
+      [bicubic, 2, 1e-4],
+      [quintic, 4, 1e-3],
+    ] as const) {
+      for (const noise of [0, 1e-15]) {
+        const tipped = base.map((row, i) =>
+          i < rows ? row.map((_, j) => [noise * (j - i), 1, noise * i * j]) : row,
+        );
+        for (const turn of [false, true]) {
+          const patch = bezierPatch(turn ? [...tipped].reverse() : tipped);
+          const [end, near] = turn ? [1, 1 - distanceInside] : [0, distanceInside];
+          const limit = limitNormal(patch, end, 0.3)!;
+          expect(distance(limit, surfaceNormal(patch, near, 0.3) ?? limit)).toBeLessThan(0.01);
+          expect(
+            distance(
+              limit,
+              limitNormal(bezierPatch(turn ? clean(base, rows).reverse() : clean(base, rows)), end, 0.3)!,
+            ),
+          ).toBeLessThan(1e-9);
+        }
+      }
     }
+  });
+
+  /** The net with its first rows in one point, exactly. */
+  const clean = (base: ControlNet, rows: number): Point[][] =>
+    base.map((row, i) => (i < rows ? row.map(() => [0, 1, 0]) : [...row]));
+
+  test("nearly parallel tangents are parallel", () => {
+    const sheared = (h: number) =>
+      bezierPatch([
+        [
+          [0, 0, 0],
+          [1, h, 0],
+        ],
+        [
+          [1, 0, 0],
+          [2, h, 0],
+        ],
+      ]);
+    expect(surfaceNormal(sheared(1e-12), 0.5, 0.5)).toBeNull();
+    expect(surfaceNormal(sheared(1e-8), 0.5, 0.5)).not.toBeNull();
+  });
+
+  test("a pinch inside the domain has no limit: it would differ on both sides", () => {
+    const pinch: ControlNet = [
+      [
+        [-1, 1, 0],
+        [-1, -1, 0],
+      ],
+      [
+        [1, -1, 0],
+        [1, 1, 0],
+      ],
+    ];
+    const turned = pinch[0]!.map((_, j) => pinch.map((row) => row[j]!));
+    expect(isCollapsed(bezierPatch(pinch), "u", 0.5)).toBe(true);
+    expect(limitNormal(bezierPatch(pinch), 0.5, 0.3)).toBeNull();
+    expect(limitNormal(bezierPatch(turned), 0.3, 0.5)).toBeNull();
+  });
+
+  /** A surface over [2, 3] × [5, 9] of which only derivatives at single places are given, without a bound. */
+  const made = (partial: (u: number, v: number, k: number, l: number) => Point): Surface => ({
+    dimension: 3,
+    domain: [
+      [2, 3],
+      [5, 9],
+    ],
+    point: (u, v) => partial(u, v, 0, 0),
+    partial,
+  });
+
+  test("an edge is looked at from end to end of its own interval", () => {
+    for (const moving of [5, 7, 9]) {
+      const surface = made((_, v, k, l) => [k === 1 && l === 0 ? 1 : 0, l === 1 && v === moving ? 1 : 0, 0]);
+      expect(isCollapsed(surface, "u", 2)).toBe(false);
+    }
+    for (const moving of [2, 2.5, 3]) {
+      const surface = made((u, _, k, l) => [k === 0 && l === 1 ? 1 : 0, k === 1 && u === moving ? 1 : 0, 0]);
+      expect(isCollapsed(surface, "v", 5)).toBe(false);
+    }
+    expect(isCollapsed(bezierPatch([[[1, 2, 3]]]), "u", 0)).toBe(true);
+  });
+
+  test("without a bound for the speed, tangents are measured by each other", () => {
+    const thin = made((_u, _v, k, l) => [k === 1 && l === 0 ? 1 : 0, k === 0 && l === 1 ? 1e-12 : 0, 0]);
+    expect(surfaceNormal(thin, 2.5, 6)).toBeNull();
+    expect(isCollapsed(thin, "u", 2)).toBe(true);
+    expect(isCollapsed(thin, "v", 5)).toBe(false);
+    const wide = made((_u, _v, k, l) => [k === 1 && l === 0 ? 1e-12 : 0, k === 0 && l === 1 ? 1 : 0, 0]);
+    expect(surfaceNormal(wide, 2.5, 6)).toBeNull();
+    expect(isCollapsed(wide, "v", 5)).toBe(true);
+    expect(isCollapsed(wide, "u", 2)).toBe(false);
+    const twisted = made((_u, _v, k, l) => [
+      k === 1 && l === 0 ? 1e-12 : 0,
+      k === 0 && l === 1 ? 1e-12 : 0,
+      k * l,
+    ]);
+    expect(surfaceNormal(twisted, 2.5, 6)).toBeNull();
+    // S_u and S_uv parallel but for rounding: the normal comes from the next order.
+    const ridge = made((_u, _v, k, l) => {
+      if (k === 1 && l === 0) return [1, 0, 0];
+      if (k === 1 && l === 1) return [1, 0, 1e-14];
+      return k === 2 && l === 1 ? [0, 1, 0] : [0, 0, 0];
+    });
+    expect(distance(limitNormal(ridge, 2, 6)!, [0, 0, 1])).toBeLessThan(1e-9);
   });
 
   test("where two collapsed edges meet, the one that has a limit decides", () => {
