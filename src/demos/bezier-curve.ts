@@ -14,7 +14,7 @@ import { disc, label, path, point, polyline, region } from "../scene/draw.ts";
 import { endTangents } from "../scene/end-tangents.ts";
 import { evenly } from "../scene/hermite-steps.ts";
 import { interpolantSteps } from "../scene/interpolant-steps.ts";
-import { wording } from "../scene/label.ts";
+import { symbol, wording } from "../scene/label.ts";
 import type { Mark } from "../scene/marks.ts";
 import { formatNumbers, formatPoints } from "../words/lists.ts";
 import { formatNumber, formatPoint } from "../words/numbers.ts";
@@ -119,7 +119,7 @@ export default defineDemo({
         : [],
     };
   },
-  readout: ({ tangents }, { p, start, end, sum }) =>
+  readout: ({ tangents, method }, { p, start, end, sum, degree }) =>
     tangents
       ? [
           { label: { base: "p", prime: 1, args: [0] }, value: start },
@@ -127,7 +127,7 @@ export default defineDemo({
         ]
       : [
           { label: { base: "p", args: ["t"] }, value: p },
-          { label: wording({ de: "Summe der Gewichte", en: "sum of the weights" }), value: sum },
+          { label: method === "interpolation" ? symbol("ΣL", "i") : symbol("ΣB", "i", degree), value: sum },
         ],
   describe: (
     { points, t, weights, hull, tangents, elevate, method },

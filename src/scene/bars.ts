@@ -6,8 +6,8 @@ import type { View } from "./view.ts";
 /** Share of the bar's width that separates two weights. */
 const GAP = 0.003;
 
-/** Share of the width that a number needs, on a telephone too. */
-const ROOM = 0.1;
+/** Share of the width that a number needs, on a telephone too; one with a minus sign needs more. */
+const ROOM = { plain: 0.1, minus: 0.13 };
 
 /** The window of a bar: as wide as the figure, a line of text high. */
 export function barView(view: Pick<View, "label">): View {
@@ -37,7 +37,7 @@ export function weightBar(weights: readonly number[], numberOf: (weight: number)
     const piece = hollow
       ? polyline(`piece-${index}`, "weight", [...corners, corners[0]!], extra)
       : region(`piece-${index}`, "weight", corners, extra);
-    if (right - left < ROOM) return [piece];
+    if (right - left < ROOM[hollow ? "minus" : "plain"]) return [piece];
     const role = hollow ? "curve" : "weight";
     const middle = [(left + right) / 2, 0.5];
     return [piece, label(`number-${index}`, role, middle, numberOf(weight), { ...extra, place: "centre" })];
