@@ -40,10 +40,10 @@ export function figureCss(scope: string): string {
   for (const [part, style] of Object.entries(PARTS)) rules.push(rule(`.p-${part}`, partRule(style)));
   rules.push(rule(".p-text", "paint-order:stroke"));
   for (const [font, family] of Object.entries(FONTS)) {
-    rules.push(rule(`.f-${font}`, `font-family:${family}${font === "math" ? ";font-style:italic" : ""}`));
+    rules.push(rule(`.f-${font}`, `font:${font === "math" ? "italic " : ""}${SIZE.label}px ${family}`));
   }
   for (const size of TEXT_SIZES) rules.push(rule(`.s${size}`, `font-size:${size}px`));
-  rules.push(`${scope} text{font-size:${SIZE.label}px}`, facetsCss(scope));
+  rules.push(facetsCss(scope));
   return rules.join("\n");
 }
 
