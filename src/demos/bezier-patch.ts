@@ -9,9 +9,10 @@ import {
   toFlatNet,
 } from "../math/index.ts";
 import { bezierSteps } from "../scene/bezier-steps.ts";
-import { arrow, label, path, point } from "../scene/draw.ts";
-import { symbol, wording } from "../scene/label.ts";
-import type { Mark, PatchMark } from "../scene/marks.ts";
+import { label, path, point } from "../scene/draw.ts";
+import { symbol } from "../scene/label.ts";
+import type { PatchMark } from "../scene/marks.ts";
+import { normalMarks } from "../scene/normal-marks.ts";
 import { netLines, patchEdges } from "../scene/patch-lines.ts";
 import { spaceView } from "../scene/space.ts";
 import { axisArrows, ground, patch } from "../scene/surfaces.ts";
@@ -117,7 +118,7 @@ export default defineDemo({
       path("u-line", "curve", bezierSteps(patchIsoCurve(points, "v", v)), { name: "u-line" }),
       path("v-line", "curve", bezierSteps(patchIsoCurve(points, "u", u)), { name: "v-line" }),
       ...(net ? netLines(points) : []),
-      ...(normal ? normalMarks(s, n) : []),
+      ...(normal ? normalMarks(s, n, 0.8) : []),
       point("s", "curve", s, { name: "s" }),
       label("s-label", "curve", s, { base: "S", args: ["u", "v"] }),
     ],
@@ -180,16 +181,4 @@ function coloured(points: Net, shading: keyof typeof COLOURS): Partial<PatchMark
   const values = new Float64Array((STEPS + 1) ** 2);
   sampleCurvature(toFlatNet(points), values);
   return { shading: "values", values, range: [-CURVATURE, CURVATURE] };
-}
-
-function normalMarks(s: readonly number[], n: readonly number[] | null): Mark[] {
-  if (!n) {
-    const text = wording({ de: "keine Normale", en: "no normal" });
-    return [label("no-normal", "bad", s, text)];
-  }
-  const tip = s.map((x, k) => x + n[k]! * 0.8);
-  return [
-    arrow("normal", "tangent", s, tip, { name: "n" }),
-    label("normal-label", "tangent", tip, symbol("n"), { toward: n }),
-  ];
 }

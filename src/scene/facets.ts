@@ -1,5 +1,6 @@
 import type { XYZ } from "./camera.ts";
 import type { Facet, FacetColour, PatchMark } from "./marks.ts";
+import type { BehindBy } from "./occlusion.ts";
 import { inPicture, litShare, normalColour, stripeShare, valueShare } from "./shade.ts";
 import type { SpaceTransform } from "./space.ts";
 
@@ -28,44 +29,78 @@ export function stepFor(patches: readonly PatchMark[], budget: number): number {
   return Math.max(1, Math.ceil(Math.sqrt(cells / budget) - 1e-9));
 }
 
-/** The patches as facets, from the farthest to the nearest, at most about `budget` of them. */
+/**
+ * The patches as facets, from the farthest to the nearest, at most about `budget` of them.
+ *
+ * What lies wholly behind other facets is left out, which makes pictures small. Where a facet dips into another surface
+ * no order of whole facets is right: it is replaced by finer ones, of which only those that are seen are drawn, last.
+ */
 export function facetsOf(
   patches: readonly PatchMark[],
   samples: readonly Float64Array[],
   space: SpaceTransform,
   budget: number,
+  behindBy: BehindBy,
 ): Facet[] {
   const step = stepFor(patches, budget);
-  const found: { facet: Facet; depth: number }[] = [];
+  const sorted: Placed[] = [];
+  const last: Placed[] = [];
   patches.forEach((patch, k) => {
     const places = samples[k]!;
     const rows = strides(patch.rows, step);
     const columns = strides(patch.columns, step);
+    const cell = (top: number, bottom: number, left: number, right: number): Placed | null => {
+      const { columns: width } = patch;
+      const at = [top * width + left, bottom * width + left, bottom * width + right, top * width + right];
+      const corners = at.map((a): Corner => [places[3 * a]!, places[3 * a + 1]!, places[3 * a + 2]!]);
+      const area = signedArea(corners);
+      // Seen from its edge, a facet covers nothing.
+      if (!(Math.abs(area) > 1e-12)) return null;
+      const colour = colourOf(patch, at, area > 0, space);
+      const middle = [0, 1, 2].map((axis) => corners.reduce((sum, c) => sum + c[axis]!, 0) / 4);
+      return { corners, middle: middle as unknown as Corner, colour, front: area > 0 };
+    };
     for (let i = 1; i < rows.length; i++) {
       for (let j = 1; j < columns.length; j++) {
-        const at = [
-          rows[i - 1]! * patch.columns + columns[j - 1]!,
-          rows[i]! * patch.columns + columns[j - 1]!,
-          rows[i]! * patch.columns + columns[j]!,
-          rows[i - 1]! * patch.columns + columns[j]!,
-        ];
-        const corners = at.map((a) => [places[3 * a]!, places[3 * a + 1]!] as const);
-        const area = signedArea(corners);
-        // Seen from its edge, a facet covers nothing.
-        if (!(Math.abs(area) > 1e-12)) continue;
-        const depth = at.reduce((sum, a) => sum + places[3 * a + 2]!, 0);
-        found.push({ facet: { corners, colour: colourOf(patch, at, area > 0, space) }, depth });
+        const [top, bottom, left, right] = [rows[i - 1]!, rows[i]!, columns[j - 1]!, columns[j]!];
+        const whole = cell(top, bottom, left, right);
+        if (!whole) continue;
+        const gaps = [...whole.corners, whole.middle].map(([x, y, depth]) => behindBy(x, y, depth));
+        if (gaps.every((gap) => gap > 0)) continue;
+        const deepest = Math.max(...gaps);
+        // Just behind a rim, a far side counts as seen; the near side in front of it must still cover it.
+        if (deepest === 0 || !whole.front || deepest > diameter(whole.corners)) {
+          sorted.push(whole);
+          continue;
+        }
+        for (let r = top; r < bottom; r++) {
+          for (let c = left; c < right; c++) {
+            const small = cell(r, r + 1, c, c + 1);
+            if (small?.front && behindBy(...small.middle) === 0) last.push(small);
+          }
+        }
       }
     }
   });
-  found.sort((a, b) => a.depth - b.depth);
-  return found.map(({ facet }) => facet);
+  const byDepth = (a: Placed, b: Placed) => a.middle[2] - b.middle[2];
+  return [...sorted.sort(byDepth), ...last.sort(byDepth)].map(({ corners, colour }) => ({ corners, colour }));
+}
+
+type Corner = readonly [across: number, up: number, depth: number];
+type Placed = Facet & {
+  readonly corners: readonly Corner[];
+  readonly middle: Corner;
+  readonly front: boolean;
+};
+
+function diameter([a, b, c, d]: readonly Corner[]): number {
+  const length = (p: Corner, q: Corner) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  return Math.max(length(a!, c!), length(b!, d!));
 }
 
 /** Twice the area; positive if the corners run to the left, which is the front side. */
-function signedArea(corners: readonly (readonly [number, number])[]): number {
-  const [a, b, c, d] = corners as unknown as [XYZ, XYZ, XYZ, XYZ];
-  return (c[0]! - a[0]!) * (d[1]! - b[1]!) - (d[0]! - b[0]!) * (c[1]! - a[1]!);
+function signedArea([a, b, c, d]: readonly Corner[]): number {
+  return (c![0] - a![0]) * (d![1] - b![1]) - (d![0] - b![0]) * (c![1] - a![1]);
 }
 
 function colourOf(
@@ -87,7 +122,7 @@ function colourOf(
   // Where no corner has a normal the facet is shown as if it faced the eye.
   const seen = normal ? inPicture(normal, axes).map((x) => (front ? x : -x)) : [0, 0, 1];
   if (patch.shading === "stripes") return { between: "stripes", share: stripeShare(seen) };
-  return { between: front ? "front" : "back", share: litShare(seen) };
+  return { between: front !== (patch.accent ?? false) ? "front" : "back", share: litShare(seen) };
 }
 
 function meanNormal({ normals }: PatchMark, at: readonly number[]): XYZ | null {

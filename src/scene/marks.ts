@@ -118,6 +118,8 @@ export interface PatchMark extends MarkBase {
   /** Unit normals; three zeros where there is none. */
   readonly normals: ArrayLike<number>;
   readonly shading?: Shading;
+  /** In the warm tones of the other side: the piece that is spoken of. */
+  readonly accent?: boolean;
   /** For `values`: one a sample, NaN where there is none, and the ends of the colour map. */
   readonly values?: ArrayLike<number>;
   readonly range?: readonly [number, number];

@@ -4,6 +4,9 @@ import type { PatchMark } from "./marks.ts";
 /** Whether a place of the picture, at a depth towards the eye, lies behind a surface. */
 export type IsHidden = (x: number, y: number, depth: number) => boolean;
 
+/** How far a place lies behind the foremost surface there; 0 where it is seen. */
+export type BehindBy = (x: number, y: number, depth: number) => number;
+
 /** More cells than this are thinned out: what hides need not be as fine as what is seen. */
 const MOST_CELLS = 2600;
 /** The picture is cut into so many fields each way, and each field knows the triangles that reach into it. */
@@ -15,12 +18,12 @@ const FIELDS = 40;
 const SLACK = 0.006;
 const MOST_SLANT = 8;
 
-const NEVER: IsHidden = () => false;
+const NOTHING: BehindBy = () => 0;
 
 /** What hides what: exact tests against the facets, at arbitrary places, for lines, points and letters. */
-export function occlusion(patches: readonly PatchMark[], samples: readonly Float64Array[]): IsHidden {
+export function occlusion(patches: readonly PatchMark[], samples: readonly Float64Array[]): BehindBy {
   const bounds = extent(samples);
-  if (!bounds) return NEVER;
+  if (!bounds) return NOTHING;
   const { low, high, size } = bounds;
   const scaleX = FIELDS / Math.max(high[0]! - low[0]!, 1e-9);
   const scaleY = FIELDS / Math.max(high[1]! - low[1]!, 1e-9);
@@ -63,7 +66,8 @@ export function occlusion(patches: readonly PatchMark[], samples: readonly Float
   });
 
   return (x, y, depth) => {
-    if (x < low[0]! || x > high[0]! || y < low[1]! || y > high[1]!) return false;
+    if (x < low[0]! || x > high[0]! || y < low[1]! || y > high[1]!) return 0;
+    let most = 0;
     const near = fields[field(x, low[0]!, scaleX) * FIELDS + field(y, low[1]!, scaleY)]!;
     for (const t of near) {
       const [dx, dy] = [x - triangles[t]!, y - triangles[t + 1]!];
@@ -72,9 +76,10 @@ export function occlusion(patches: readonly PatchMark[], samples: readonly Float
       const c = (dy * triangles[t + 3]! - dx * triangles[t + 4]!) * inverse;
       if (b < 0 || c < 0 || b + c > 1) continue;
       const at = triangles[t + 2]! + b * triangles[t + 5]! + c * triangles[t + 8]!;
-      if (at - depth > triangles[t + 10]!) return true;
+      const gap = at - depth;
+      if (gap > triangles[t + 10]! && gap > most) most = gap;
     }
-    return false;
+    return most;
   };
 }
 

@@ -23,7 +23,8 @@ const BEHIND = 0.32;
 export function project(marks: readonly Mark[], space: SpaceTransform, options: ProjectOptions): Mark[] {
   const patches = marks.filter((mark): mark is PatchMark => mark.kind === "patch");
   const samples = patches.map((patch) => projectSamples(patch, space));
-  const isHidden = occlusion(patches, samples);
+  const behindBy = occlusion(patches, samples);
+  const isHidden: IsHidden = (x, y, depth) => behindBy(x, y, depth) > 0;
   const grounds = marks.filter((mark): mark is GroundMark => mark.kind === "ground");
   const ground = grounds.flatMap((one) => projectGround(one, patches, space));
   const surface: FacetsMark[] =
@@ -35,7 +36,7 @@ export function project(marks: readonly Mark[], space: SpaceTransform, options: 
             key: "surfaces",
             role: "surface",
             patches,
-            facets: options.facets > 0 ? facetsOf(patches, samples, space, options.facets) : [],
+            facets: options.facets > 0 ? facetsOf(patches, samples, space, options.facets, behindBy) : [],
           },
         ];
   const layers: Layers = { faint: [], lines: [], points: [], letters: [] };

@@ -4,7 +4,7 @@ import { arrow, label } from "./draw.ts";
 import { symbol } from "./label.ts";
 import type { GroundMark, Mark, PatchMark } from "./marks.ts";
 
-type PatchExtra = Partial<Pick<PatchMark, "name" | "index" | "shading" | "values" | "range">>;
+type PatchExtra = Partial<Pick<PatchMark, "name" | "index" | "shading" | "values" | "range" | "accent">>;
 
 /** A surface as a mark, from its samples. */
 export function patch(

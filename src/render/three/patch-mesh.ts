@@ -21,6 +21,7 @@ export interface PatchMesh {
   readonly mesh: Mesh;
   readonly rows: number;
   readonly columns: number;
+  readonly accent: boolean;
   readonly uniforms: Uniforms;
   /** The largest distance of a sample from the origin. */
   readonly reach: number;
@@ -113,6 +114,9 @@ export function createPatchMesh(first: PatchMark): PatchMesh {
     rows,
     columns,
     uniforms,
+    get accent() {
+      return last?.accent ?? false;
+    },
     get reach() {
       return reach;
     },

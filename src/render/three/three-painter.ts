@@ -65,9 +65,9 @@ export function createThreePainter(changed: (painter: ThreePainter | null) => vo
     }
     // One measure of depth for all patches, or they would not hide each other.
     const reach = Math.max(...[...kept.meshes.values()].map((entry) => entry.reach));
-    for (const { uniforms } of kept.meshes.values()) {
+    for (const { uniforms, accent } of kept.meshes.values()) {
       setWindow(uniforms, space, scale, { left, top, w, h });
-      setColours(uniforms, palette);
+      setColours(uniforms, palette, accent);
       uniforms.depthScale.value = 1 / (1e-9 + reach + Math.hypot(...space.target));
     }
     renderer.setViewport(0, 0, w, h);
@@ -135,17 +135,27 @@ function setWindow(
   uniforms.windowScale.value.set((2 * plane.scale[0]! * scale) / w, (2 * plane.scale[1]! * scale) / h);
 }
 
-const COLOURS = {
+type ColourName = "frontDim" | "frontLit" | "backDim" | "backLit" | "stripeDim";
+
+const COLOURS: Readonly<Record<ColourName, Token>> = {
   frontDim: "front-dim",
   frontLit: "front-lit",
   backDim: "back-dim",
   backLit: "back-lit",
   stripeDim: "curve",
-} as const satisfies Partial<Record<keyof Uniforms, Token>>;
+};
+const ACCENT: Readonly<Record<ColourName, Token>> = {
+  ...COLOURS,
+  frontDim: "back-dim",
+  frontLit: "back-lit",
+  backDim: "front-dim",
+  backLit: "front-lit",
+};
 
-function setColours(uniforms: Uniforms, palette: Palette): void {
-  for (const name of Object.keys(COLOURS) as (keyof typeof COLOURS)[]) {
-    const [r, g, b] = readColour(palette[COLOURS[name]]);
+function setColours(uniforms: Uniforms, palette: Palette, accent: boolean): void {
+  const tokens = accent ? ACCENT : COLOURS;
+  for (const name of Object.keys(tokens) as ColourName[]) {
+    const [r, g, b] = readColour(palette[tokens[name]]);
     uniforms[name].value.set(r / 255, g / 255, b / 255);
   }
 }
