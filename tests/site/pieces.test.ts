@@ -40,8 +40,8 @@ describe("a figure", () => {
 });
 
 test("a state link is an ordinary link, whatever its query holds", () => {
-  expect(stateLink({ figure: "fig", query: 'a="1"&b=2', html: "<b>x</b>" })).toBe(
-    '<a class="state-link" href="#fig?a=&quot;1&quot;&amp;b=2"><b>x</b></a>',
+  expect(stateLink({ lang: "de", figure: "fig", query: 'a="1"&b=2', html: "<b>x</b>" })).toBe(
+    '<a class="state-link" href="#fig?a=&quot;1&quot;&amp;b=2"><b>x</b><span class="unseen"> (in der Figur)</span></a>',
   );
 });
 

@@ -10,10 +10,10 @@ export function block(data: BlockData): Html {
   const name = WORDS[data.lang].blocks[data.kind];
   const words = data.title ? ` <span class="block-words">(${data.title})</span>` : "";
   const head = `<p class="block-name"><strong>${name}</strong>${words}</p>`;
-  const tag = data.kind === "note" || data.kind === "history" ? "aside" : "div";
-  const label = tag === "aside" ? name : null;
-  return `<${tag}${attributes({ id: data.id, class: `block ${data.kind}`, "aria-label": label })}>
+  // A note, but no landmark: a lesson has many of them.
+  const role = data.kind === "note" || data.kind === "history" ? "note" : null;
+  return `<div${attributes({ id: data.id, class: `block ${data.kind}`, role })}>
 ${head}
 ${data.html}
-</${tag}>`;
+</div>`;
 }

@@ -32,7 +32,7 @@ function header({ lang, root }: ShellPage, around: Chrome): Html {
     '<div class="top-tools">',
     language(lang === "de" ? "en" : "de", root + around.alternate, words),
     themeSwitch(words),
-    `<button class="tool contents-button" type="button" popovertarget="contents">${CONTENTS_ICON}<span>${words.contents}</span></button>`,
+    `<button class="tool contents-button" type="button" popovertarget="contents" aria-label="${words.contents}">${CONTENTS_ICON}<span>${words.contents}</span></button>`,
     "</div>",
     "</header>",
   );

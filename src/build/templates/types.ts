@@ -208,6 +208,7 @@ export interface FormulaData {
 
 /** `state-link.ts`: words that put a figure into a state. */
 export interface StateLinkData {
+  readonly lang: Lang;
   readonly figure: string;
   /** The query without question mark: "t=0.5"; empty for the figure's own initial state. */
   readonly query: string;

@@ -30,6 +30,7 @@ export interface PageWords {
   readonly formula: string;
   readonly code: string;
   readonly table: string;
+  readonly inTheFigure: string;
   readonly guess: string;
   readonly answer: string;
   readonly rightAnswer: string;
@@ -65,6 +66,7 @@ export const WORDS: Readonly<Record<Lang, PageWords>> = {
     formula: "Formel",
     code: "Programmzeilen",
     table: "Tabelle",
+    inTheFigure: "in der Figur",
     guess: "Ihre Vermutung",
     answer: "Auflösen",
     rightAnswer: "richtig",
@@ -108,6 +110,7 @@ export const WORDS: Readonly<Record<Lang, PageWords>> = {
     formula: "Formula",
     code: "Lines of the program",
     table: "Table",
+    inTheFigure: "in the figure",
     guess: "Your guess",
     answer: "Show the answer",
     rightAnswer: "right",

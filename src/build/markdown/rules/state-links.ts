@@ -22,7 +22,7 @@ export function stateLinks(md: MarkdownIt): void {
   md.renderer.rules.state_link = (tokens, i, options, env, self) => {
     const token = tokens[i]!;
     const html = self.renderInline(token.children ?? [], options, env);
-    return stateLink({ figure: token.meta.figure, query: token.meta.query, html });
+    return stateLink({ lang: env.lang, figure: token.meta.figure, query: token.meta.query, html });
   };
 }
 
