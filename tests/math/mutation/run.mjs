@@ -1,17 +1,19 @@
 // Mutation tests of src/math: `npm run test:mutation`, or `npm run test:mutation -- blossom nearest` for some files.
 //
 // Each mutant is a small change of a source file that some test ought to notice. A file is run against the test file of
-// its own name, or against all tests of the mathematics where it has none.
+// its own name, or of its topic (topics.json: test file → source files), or against all tests of the mathematics where it
+// has neither.
 // Everything takes an hour or two; results are kept in reports/mutation, and only what has changed since is run again. It
 // fails if the tests did not run at all or if the score of all files together is below 85 %.
 import { spawn } from "node:child_process";
-import { existsSync, mkdirSync, readdirSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync } from "node:fs";
 
 const stryker = "node_modules/@stryker-mutator/core/bin/stryker.js";
 const wanted = process.argv.slice(2).map((name) => name.replace(/\.ts$/, ""));
 const all = readdirSync("src/math")
   .filter((file) => file.endsWith(".ts") && file !== "index.ts")
   .map((file) => file.slice(0, -3));
+const topics = JSON.parse(readFileSync("tests/math/mutation/topics.json", "utf8"));
 mkdirSync("reports/mutation", { recursive: true });
 
 const results = [];
@@ -44,8 +46,9 @@ process.exitCode = score(total) >= 85 ? 0 : 1;
 
 /** Runs Stryker on one file and resolves to what it prints. */
 function mutate(name) {
-  const own = existsSync(`tests/math/${name}.test.ts`);
-  const tests = own ? `tests/math/${name}.test.ts` : "tests/math/**/*.test.ts";
+  const topic = Object.keys(topics).find((test) => topics[test].includes(name));
+  const own = [name, topic].find((test) => test && existsSync(`tests/math/${test}.test.ts`));
+  const tests = own ? `tests/math/${own}.test.ts` : "tests/math/**/*.test.ts";
   const child = spawn(
     process.execPath,
     [
