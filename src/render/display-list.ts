@@ -68,5 +68,5 @@ function drawWindow(
     labels: [],
   };
   for (const mark of marks) drawMark(mark, sheet);
-  drawLabels(sheet, lang);
+  drawLabels(sheet, lang, marks);
 }

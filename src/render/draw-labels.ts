@@ -1,17 +1,19 @@
-import type { LabelMark } from "../scene/marks.ts";
+import type { LabelMark, Mark, PathStep } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
 import type { Lang } from "../words/words.ts";
 import type { LabelRequest } from "./label-request.ts";
 import { placeLabels } from "./place-labels.ts";
 import { type SetText, setLabel } from "./set-label.ts";
-import { base, inWindow, type Sheet } from "./sheet.ts";
+import { base, inWindow, isLit, type Sheet } from "./sheet.ts";
 
 /** Lettering may stand a little outside the window, but not on the numbers of an axis. */
 const MARGIN = 4;
 
 /** Sets the lettering of a window, once everything that it must not cover is there. */
-export function drawLabels(sheet: Sheet, lang: Lang): void {
+export function drawLabels(sheet: Sheet, lang: Lang, marks: readonly Mark[]): void {
   const { transform, obstacles, primitives } = sheet;
+  // Lettering lights up only where there is no mark of its name that does.
+  const shown = new Set(marks.filter((mark) => mark.kind !== "label").map((mark) => mark.name));
   const { left, top, width, height } = transform.box;
   const bounds: Box = {
     left: left - MARGIN,
@@ -43,8 +45,17 @@ export function drawLabels(sheet: Sheet, lang: Lang): void {
     const at = [placed.box.left, placed.box.top + text.ascent];
     // Letters on the filled region of a weight need no rim, and get one nowhere else without a reason.
     const part = placed.crossed && mark.role !== "weight" ? "text" : "plain";
+    if (isLit(mark, sheet) && !shown.has(mark.name)) {
+      primitives.push({ kind: "path", ...base(mark, "shine"), steps: frameOf(placed.box) });
+    }
     primitives.push({ kind: "text", ...base(mark, part), at, anchor: "start", runs: text.runs });
   });
+}
+
+/** The outline of a box with a little air. */
+function frameOf({ left, top, width, height }: Box): PathStep[] {
+  const [x0, y0, x1, y1] = [left - 4, top - 3, left + width + 4, top + height + 3];
+  return [["M", [x0, y0]], ["L", [x1, y0]], ["L", [x1, y1]], ["L", [x0, y1]], ["Z"]];
 }
 
 /** A number on a weight's region is left out where the region is too small for it. */

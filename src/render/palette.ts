@@ -23,6 +23,7 @@ export type Token =
   | "back-dim"
   | "back-lit"
   | "shadow"
+  | "mesh"
   | IndexToken;
 
 /** A colour for every token. */
@@ -69,7 +70,10 @@ function withIndex(named: Omit<Palette, IndexToken>, index: readonly string[]): 
   return { ...named, ...(Object.fromEntries(entries) as Record<IndexToken, string>) };
 }
 
-/** The colours of each theme. `forced` names system colours, as style sheets and canvases take them. */
+/**
+ * The colours of each theme. `forced` names system colours as style sheets take them; the grid is thinned out,
+ * for the grey of a forced palette may be a shrill one.
+ */
 export const palettes: Readonly<Record<Theme, Palette>> = {
   light: withIndex(
     {
@@ -90,6 +94,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       "back-dim": "#c19c72",
       "back-lit": "#f8eedd",
       shadow: "#1b2230",
+      mesh: "#7d93b5",
     },
     INDEX_LIGHT,
   ),
@@ -112,6 +117,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       "back-dim": "#3a2a17",
       "back-lit": "#94703f",
       shadow: "#000000",
+      mesh: "#8aa6cc",
     },
     INDEX_DARK,
   ),
@@ -134,6 +140,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       "back-dim": "#b3a58f",
       "back-lit": "#faf6ee",
       shadow: "#000000",
+      mesh: "#66758c",
     },
     INDEX_LIGHT,
   ),
@@ -142,7 +149,7 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       paper: "Canvas",
       raised: "Canvas",
       rule: "CanvasText",
-      grid: "GrayText",
+      grid: "color-mix(in srgb, GrayText 35%, Canvas)",
       ink: "CanvasText",
       soft: "CanvasText",
       lath: "Highlight",
@@ -156,12 +163,13 @@ export const palettes: Readonly<Record<Theme, Palette>> = {
       "back-dim": "GrayText",
       "back-lit": "Canvas",
       shadow: "GrayText",
+      mesh: "GrayText",
     },
     Array.from({ length: INDEX_COUNT }, () => "CanvasText"),
   ),
 };
 
-/** The palette of forced colours with every system colour read out, where its keyword cannot be used. */
+/** The palette of forced colours, each read out by the browser: for canvases, which take no changing colours. */
 export function forcedPalette(read: (systemColour: string) => string): Palette {
   const entries = Object.entries(palettes.forced).map(([token, keyword]) => [token, read(keyword)]);
   return Object.fromEntries(entries) as Palette;

@@ -33,7 +33,7 @@ export function figureCss(scope: string): string {
     const lettering = text ? `;--t:${text === "paper" ? "var(--paper)" : `var(--i,var(--${text}))`}` : "";
     return rule(
       `.r-${role}`,
-      `--c:var(--${token});--w:${width};--f:${fill}${lettering}${dash ? `;--d:${dash.join(" ")}` : ""}`,
+      `--c:var(--${token});--w:${width};--f:${fill}${lettering}${dash ? `;--d:${dash.join(" ")};--e:butt` : ""}`,
     );
   });
   for (let i = 0; i < INDEX_COUNT; i++) rules.push(rule(`.i${i}`, `--i:var(--index-${i})`));
@@ -56,8 +56,8 @@ function partRule(style: PartStyle): string {
   if (style.stroke) {
     body.push(`stroke:${COLOUR[style.stroke]}`);
     body.push(`stroke-width:${style.width === "role" ? "var(--w)" : style.width}`, "stroke-linejoin:round");
+    body.push(`stroke-linecap:${style.dash ? "var(--e,round)" : "round"}`);
     if (style.dash) body.push("stroke-dasharray:var(--d,none)");
-    else body.push("stroke-linecap:round");
     if (style.opacity !== undefined) body.push(`stroke-opacity:${style.opacity}`);
   }
   return body.join(";");

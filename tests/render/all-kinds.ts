@@ -1,7 +1,7 @@
 import { arrow, disc, label, path, point, polyline, region } from "../../src/scene/draw.ts";
 import { symbol, wording } from "../../src/scene/label.ts";
 import type { Views } from "../../src/scene/layout.ts";
-import type { Mark, PatchMark, Role, Scene } from "../../src/scene/marks.ts";
+import type { Mark, PatchMark, Scene } from "../../src/scene/marks.ts";
 import { spaceView } from "../../src/scene/space.ts";
 
 const words = { de: "Fenster", en: "Window" };
@@ -89,26 +89,4 @@ export const scene: Scene = {
     ),
   ],
   space: [EACH.ground, EACH.patch],
-};
-
-/** Every role, once: the type asks for a new one. */
-export const ROLE_NAMES: Readonly<Record<Role, true>> = {
-  curve: true,
-  "curve-rest": true,
-  "control-polygon": true,
-  handle: true,
-  derived: true,
-  tangent: true,
-  hull: true,
-  weight: true,
-  ghost: true,
-  guide: true,
-  reference: true,
-  good: true,
-  bad: true,
-  grid: true,
-  axis: true,
-  surface: true,
-  shadow: true,
-  note: true,
 };

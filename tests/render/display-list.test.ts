@@ -166,6 +166,13 @@ test("what is pointed at is lit, below itself; nothing else changes", () => {
   expect(glow(lit[0]!)).toBe(true);
 });
 
+test("lettering that stands alone is lit itself, that of a point is not lit twice", () => {
+  const letter = label("l", "note", [2, 1], symbol("x"), { name: "x" });
+  expect(draw([letter], {}, ["x"]).map(({ part }) => part)).toEqual(["shine", "plain"]);
+  const parts = draw([point("p", "curve", [2, 1], { name: "x" }), letter], {}, ["x"]).map(({ part }) => part);
+  expect(parts).toEqual(["shine", "point", "plain"]);
+});
+
 describe("rasters", () => {
   test("the first row of values lies at the bottom, levels run over the range", () => {
     const [raster] = draw([EACH.raster]);

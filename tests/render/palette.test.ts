@@ -77,7 +77,9 @@ test("forced colours are system colours only, read through the given reader", ()
     asked.push(name);
     return `[${name}]`;
   });
-  expect(new Set(asked)).toEqual(new Set(["Canvas", "CanvasText", "GrayText", "Highlight"]));
+  const words = asked.flatMap((name) => name.match(/[A-Z]\w+/g) ?? []);
+  expect(new Set(words)).toEqual(new Set(["Canvas", "CanvasText", "GrayText", "Highlight"]));
+  expect(asked.join()).not.toContain("#");
   expect(palette.paper).toBe("[Canvas]");
   expect(palette["index-7"]).toBe("[CanvasText]");
 });
