@@ -108,7 +108,7 @@ export default defineDemo({
         ...axisArrows([-3.5, -2.5, 0], 0.8),
         ...pieces,
         ...(edges
-          ? teapot.slice(from, to).flatMap((one, k) => patchEdges(one, "guide", `edge-${from + k}`))
+          ? teapot.slice(from, to).flatMap((one, k) => patchEdges(one, "mesh", `edge-${from + k}`))
           : []),
         ...patchEdges(control, "curve"),
         ...(net ? netLines(control) : []),

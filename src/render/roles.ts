@@ -31,6 +31,7 @@ export const ROLES: Readonly<Record<Role, RoleStyle>> = {
   grid: { token: "grid", text: "soft", width: 1, fill: 0.5 },
   axis: { token: "soft", width: 1, fill: 0.2 },
   surface: { token: "front-dim", text: "soft", width: 0.7, fill: 1 },
+  mesh: { token: "mesh", text: "soft", width: 0.8, fill: 0.05 },
   shadow: { token: "shadow", text: "soft", width: 1, fill: 0.09 },
   note: { token: "ink", width: 1.25, fill: 0.06 },
 };

@@ -24,6 +24,7 @@ export type Role =
   | "grid"
   | "axis"
   | "surface"
+  | "mesh" // lines of a surface itself, seen only where it is
   | "shadow" // of a surface, on the ground
   | "note"; // lettering that belongs to no other mark
 

@@ -120,7 +120,7 @@ function placePath(mark: PathMark, space: SpaceTransform, isHidden: IsHidden, la
   }
   const { seen, hidden } = splitHidden(mark.steps, space, isHidden);
   // The fine lines of a surface itself would only confuse from behind.
-  if (hidden.length > 0 && mark.role !== "guide" && mark.role !== "grid") {
+  if (hidden.length > 0 && mark.role !== "mesh" && mark.role !== "guide" && mark.role !== "grid") {
     layers.faint.push({ ...line, key: `${mark.key}-behind`, steps: hidden, fade: BEHIND });
   }
   if (seen.length > 0) layers.lines.push({ ...line, steps: seen });
