@@ -51,8 +51,8 @@ export function parameterAtLength(curve: Curve, length: number, accuracy: number
   if (length >= arclength(curve, accuracy / 4) - accuracy / 4) return high;
   let t = low + (high - low) / 2;
   let before = 0; // the length up to `low`
-  // Newton's method for s(t) = length, held in a bracket that bisection shrinks when Newton leaves it.
-  for (let step = 0; step < 100; step++) {
+  // Newton's method for s(t) = length, held in a bracket that bisection shrinks when Newton leaves it or takes too long.
+  for (let step = 0; ; step++) {
     const reached = before + arclength(curve, accuracy / 200, low, t);
     const error = reached - length;
     if (Math.abs(error) <= accuracy / 2 || !(t > low && t < high)) return t;
@@ -63,7 +63,6 @@ export function parameterAtLength(curve: Curve, length: number, accuracy: number
       high = t;
     }
     const newton = t - error / norm(curve.derivative(t));
-    t = newton > low && newton < high ? newton : low + (high - low) / 2;
+    t = step < 40 && newton > low && newton < high ? newton : low + (high - low) / 2;
   }
-  return t;
 }

@@ -12,11 +12,11 @@ import type { Point } from "./point.ts";
  */
 export function bezierExtrema(controlPoints: readonly Point[]): number[][] {
   const derivative = hodograph(controlPoints);
-  const size = Math.max(...derivative.flat().map(Math.abs));
   return controlPoints[0]!.map((_, axis) => {
     const coefficients = derivative.map((vector) => vector[axis]!);
+    const size = Math.max(...controlPoints.map((point) => Math.abs(point[axis]!)));
     // A coordinate that is constant up to rounding does not turn.
-    if (Math.max(...coefficients.map(Math.abs)) <= 1e-13 * size) return [];
+    if (Math.max(...coefficients.map(Math.abs)) <= 1e-14 * controlPoints.length * size) return [];
     return bernsteinRoots(coefficients).flatMap((root) => (root.signChange ? [root.t] : []));
   });
 }

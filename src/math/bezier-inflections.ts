@@ -18,10 +18,12 @@ export function bezierInflections(controlPoints: readonly Point[]): number[] {
   const left = bernsteinProduct(dx, ddy);
   const right = bernsteinProduct(dy, ddx);
   const determinant = left.map((value, i) => value - right[i]!);
-  const size =
-    Math.max(...hodograph(controlPoints).map(norm)) * Math.max(...hodograph(controlPoints, 2).map(norm));
-  // What is left of a straight curve is rounding error.
-  if (Math.max(...determinant.map(Math.abs)) <= 1e-13 * size) return [];
+  // What is left of a straight curve is rounding error, of the products and of the coordinates.
+  const speed = Math.max(...hodograph(controlPoints).map(norm));
+  const bend = Math.max(...hodograph(controlPoints, 2).map(norm));
+  const rounding = 1e-15 * Math.max(...controlPoints.map(norm)) * controlPoints.length ** 2;
+  const straight = 1e-10 * speed * bend + rounding * (speed + bend);
+  if (Math.max(...determinant.map(Math.abs)) <= straight) return [];
   return bernsteinRoots(determinant).flatMap((root) => (root.signChange ? [root.t] : []));
 }
 

@@ -35,6 +35,7 @@ function chain(sorted: readonly Point[]): Point[] {
 function turnsLeft(a: Point, b: Point, c: Point): boolean {
   const u = sub(b, a);
   const v = sub(c, b);
-  // The coordinates carry rounding errors: an angle below 1e-10 counts as straight.
-  return cross2(u, v) > 1e-10 * norm(u) * norm(v);
+  // An angle below 1e-10 counts as straight, and so does a turn that the rounding of the coordinates can make.
+  const rounding = 4e-16 * (norm(a) + norm(b) + norm(c));
+  return cross2(u, v) > 1e-10 * norm(u) * norm(v) + rounding * (norm(u) + norm(v));
 }

@@ -108,7 +108,8 @@ function nextFrame(curve: Curve, frame: Frame, t: number): Frame {
   const between = sub(point, frame.point);
   const halfway = reflect(frame.tangent, between);
   const reflected = reflect(reflect(frame.normal, between), sub(tangent, halfway));
-  const normal = perpendicular(tangent, reflected) ?? perpendicular(tangent)!;
+  // Only rounding is left to remove: reflections keep the right angle.
+  const normal = perpendicular(tangent, reflected)!;
   return { point, tangent, normal, binormal: cross(tangent, normal) };
 }
 

@@ -46,7 +46,7 @@ export function repairJoint(a: readonly Point[], b: readonly Point[], to: JointC
     return [end, next, add(sub(scale(next, 2), end), bend), ...rest];
   }
 
-  const leg = distance(b[1]!, b[0]!) || distance(end, a.findLast((p) => distance(p, end) > 0) ?? end);
+  const leg = distance(b[1]!, b[0]!) || distance(end, a.findLast((p) => distance(p, end) > 0)!);
   const next = add(end, scale(tangent, leg));
   if (to === "G1") return [end, next, ...rest];
   // Curvature vector = (m − 1)/m · (part of b_2 − b_1 across the tangent) / leg².

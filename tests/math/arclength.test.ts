@@ -137,6 +137,18 @@ test("the inverse at the ends, beyond them, over another domain and past a cusp"
   expect(parameterAtLength(quarter, Math.PI / 2, 1e-10)).toBeCloseTo(0.5, 9);
 });
 
+test("the inverse ends where the speed jumps by many orders", () => {
+  const steps: Curve = {
+    dimension: 1,
+    domain: [0, 1],
+    breaks: [0.5],
+    point: (t) => [t < 0.5 ? 1e-9 * t : 0.5e-9 + 1e9 * (t - 0.5)],
+    derivative: (t, r = 1) => [r > 1 ? 0 : t < 0.5 ? 1e-9 : 1e9],
+  };
+  const t = parameterAtLength(steps, 1, 1e-6);
+  expect(Math.abs(arclength(steps, 1e-9, 0, t) - 1)).toBeLessThan(1e-6);
+});
+
 test("bad arguments are named", () => {
   const line = bezierCurve([[0], [1]]);
   expect(() => arclength(line, 0)).toThrow("accuracy: expected a positive finite number, got 0");

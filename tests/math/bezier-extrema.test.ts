@@ -38,6 +38,14 @@ test("saddles, constant coordinates and points have no extrema", () => {
       [0.1 + 0.2, 5],
     ]),
   ).toEqual([[], []]);
+  expect(bezierExtrema([1000.1, 999.8 + 0.3, 1000.1, 1000.4 - 0.3].map((x) => [x]))).toEqual([[]]);
+  expect(
+    bezierExtrema([
+      [1e-9, 1],
+      [-1e-9, 2],
+      [1e-9, 3],
+    ]),
+  ).toEqual([[0.5], []]);
   expect(bezierExtrema([[4, 2]])).toEqual([[], []]);
   expect(bezierBounds([[4, 2]])).toEqual({ min: [4, 2], max: [4, 2] });
 });

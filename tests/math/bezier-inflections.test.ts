@@ -40,6 +40,7 @@ test("one in an S, none in an arch, a straight line, a cubic's cusp and a parabo
     ],
     [[1, 1]],
   ];
+  none.push(Array.from({ length: 5 }, (_, i) => [1000.1 + 0.1 * i * i, 500.7 + 0.3 * i * i]));
   for (const curve of none) expect(bezierInflections(curve)).toEqual([]);
   expect(
     bezierInflections([

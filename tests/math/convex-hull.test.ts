@@ -77,6 +77,11 @@ test("degenerate point sets", () => {
   ]);
 });
 
+test("collinear up to the rounding of decimals, far from the origin", () => {
+  const line = Array.from({ length: 9 }, (_, i): Point => [1000.1 + 0.1 * i, 500.7 + 0.3 * i]);
+  expect(convexHull(line)).toEqual([line[0], line[8]]);
+});
+
 test("the caller's list keeps its order", () => {
   const list: Point[] = [
     [2, 0],
