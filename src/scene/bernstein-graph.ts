@@ -16,7 +16,7 @@ export function bernsteinGraph(coefficients: readonly number[]): PathStep[] {
   return hermiteSteps(
     (t) => [t, bezierPoint(points, t)[0]!],
     (t) => [1, bezierDerivative(points, t)[0]!],
-    evenly(0, 1, 2 * n),
+    evenly(0, 1, 3 * n),
   );
 }
 

@@ -25,10 +25,10 @@ test.each([1, 2, 3])("up to degree 3 the graph is one exact Bézier arc (degree 
   }
 });
 
-test.each([4, 7, 20])("a graph of degree %i is drawn to a fifth of a pixel (of 400)", (n) => {
+test.each([4, 7, 20])("a graph of degree %i is drawn to a tenth of a pixel (of 400)", (n) => {
   for (let i = 0; i <= n; i++) {
     for (const [t, value] of drawn(bernsteinGraph(unit(n, i)))) {
-      expect(Math.abs(value! - bernstein(n, i, t!))).toBeLessThan(5e-4);
+      expect(Math.abs(value! - bernstein(n, i, t!))).toBeLessThan(2.5e-4);
     }
   }
 });
