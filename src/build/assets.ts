@@ -2,6 +2,8 @@
 export interface PageAssets {
   readonly styles: readonly string[];
   readonly scripts: readonly string[];
+  /** Fonts of the first lines, asked for at once: text fonts that come late are not shown at all. */
+  readonly fonts: readonly string[];
 }
 
 /** What the bundler made, or the dev server serves, for each kind of page. */

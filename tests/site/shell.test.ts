@@ -8,6 +8,7 @@ const page: ShellPage = {
   description: 'Sagt „<b>“ und "so"',
   root: "../../",
   styles: ["assets/fonts.css", "assets/page.css"],
+  fonts: ["assets/text.woff2"],
   scripts: ["assets/page.js"],
   bootScript: "boot()",
   csp: "default-src 'none'",
@@ -41,6 +42,15 @@ describe("the shell", () => {
     const html = shell(page);
     expect(html).toContain('<body class="lesson-page">\n<main>{{lang}} $& $1</main>\n</body>');
     expect(html.replace(page.body, "")).not.toMatch(/\{\{|biome/);
+  });
+
+  test("asks for the fonts of the first lines before the style sheets, without credentials", () => {
+    const html = shell(page);
+    const font =
+      '<link rel="preload" as="font" type="font/woff2" href="../../assets/text.woff2" crossorigin>';
+    expect(html).toContain(font);
+    expect(html.indexOf(font)).toBeLessThan(html.indexOf("fonts.css"));
+    expect(html).not.toMatch(/stylesheet"[^>]*crossorigin/);
   });
 
   test("escapes title and description", () => {

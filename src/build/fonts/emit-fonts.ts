@@ -2,13 +2,18 @@ import { readFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import type { Rolldown } from "vite";
 import type { Characters } from "./characters.ts";
-import { FACES, faceRule } from "./faces.ts";
+import { FACES, type Face, faceRule } from "./faces.ts";
 import { cutFonts } from "./subset.ts";
 
-/** The style sheets that name the fonts, for each kind of page. */
+/** The style sheet that names the fonts of a kind of page, and the fonts that its first lines need. */
+export interface FontSheet {
+  readonly sheet: string;
+  readonly first: readonly string[];
+}
+
 export interface FontSheets {
-  readonly page: string;
-  readonly embed: string;
+  readonly page: FontSheet;
+  readonly embed: FontSheet;
 }
 
 /** Writes fonts, their style sheets and their licences into the bundle. */
@@ -17,27 +22,23 @@ export async function emitFonts(
   root: string,
   characters: Characters,
 ): Promise<FontSheets> {
-  const rules: { readonly embed: boolean; readonly css: string }[] = [];
+  const written: { readonly face: Face; readonly fileName: string }[] = [];
   for (const { face, data } of await cutFonts(root, FACES, characters)) {
     const id = context.emitFile({ type: "asset", name: basename(face.file), source: data });
-    rules.push({ embed: face.embed, css: faceRule(face, basename(context.getFileName(id))) });
+    written.push({ face, fileName: context.getFileName(id) });
   }
   for (const [name, file] of licences(FACES.map(({ file }) => file))) {
     const source = readFileSync(join(root, "node_modules", file, "LICENSE"));
     context.emitFile({ type: "asset", fileName: `assets/licence-${name}.txt`, source });
   }
-  const sheet = (name: string, css: readonly string[]) =>
-    context.getFileName(context.emitFile({ type: "asset", name, source: `${css.join("\n")}\n` }));
-  return {
-    page: sheet(
-      "fonts.css",
-      rules.map(({ css }) => css),
-    ),
-    embed: sheet(
-      "fonts-embed.css",
-      rules.filter(({ embed }) => embed).map(({ css }) => css),
-    ),
+  const sheet = (name: string, fonts: typeof written): FontSheet => {
+    const rules = fonts.map(({ face, fileName }) => faceRule(face, basename(fileName)));
+    const id = context.emitFile({ type: "asset", name, source: `${rules.join("\n")}\n` });
+    const first = fonts.filter(({ face }) => face.first).map(({ fileName }) => fileName);
+    return { sheet: context.getFileName(id), first };
   };
+  const ofEmbeds = written.filter(({ face }) => face.embed);
+  return { page: sheet("fonts.css", written), embed: sheet("fonts-embed.css", ofEmbeds) };
 }
 
 /** The packages the fonts come from, by the name of their licence's file. */

@@ -13,6 +13,8 @@ export interface Face {
   readonly weights?: readonly [number, number];
   /** Whether an embed needs it: lettering of the figure and the interface. */
   readonly embed: boolean;
+  /** The first lines of every page are set in it. */
+  readonly first: boolean;
 }
 
 /** The weights that the style sheets use. */
@@ -38,13 +40,14 @@ function textFaces(family: string, name: string, style: Face["style"], embed: bo
     display: "optional",
     weights: WEIGHTS,
     embed,
+    first: part === "latin" && style === "normal",
   }));
 }
 
 function formulaFace(name: string, weight: string, style: Face["style"], embed = false): Face {
   const family = `KaTeX_${name.split("-")[0]}`;
   const file = `katex/dist/fonts/KaTeX_${name}.woff2`;
-  return { family, style, weight, file, range: "", display: "block", embed };
+  return { family, style, weight, file, range: "", display: "block", embed, first: false };
 }
 
 /** Every font that a page may ask for. KaTeX's are those of its style sheet. */

@@ -1,7 +1,8 @@
 import type { Plugin, Rolldown } from "vite";
 import { type Assets, ENTRIES, type PageAssets } from "../assets.ts";
+import { coverageText } from "../coverage.ts";
 import { type Characters, gatherCharacters } from "../fonts/characters.ts";
-import { emitFonts } from "../fonts/emit-fonts.ts";
+import { emitFonts, type FontSheet } from "../fonts/emit-fonts.ts";
 import { FACES } from "../fonts/faces.ts";
 import { licencesText, packagesOf } from "../licences.ts";
 import { sitemap } from "../pages/sitemap.ts";
@@ -14,6 +15,7 @@ export function pagesInBuild(): Plugin {
   let root = "";
   let workshop: Workshop | null = null;
   let site: Site | null = null;
+  let say: (text: string) => void = () => {};
   return {
     name: "straklatte:pages",
     apply: "build",
@@ -31,19 +33,21 @@ export function pagesInBuild(): Plugin {
     }),
     configResolved(config) {
       root = config.root;
+      say = (text) => config.logger.info(text);
     },
     async buildStart() {
       workshop = await buildWorkshop(root);
       const { openSite } = await workshop.load<typeof import("../site.ts")>("/src/build/site.ts");
       site = await openSite({ root, policy: true, siteUrl: siteUrl() });
       if (site.problems.length > 0) this.error(problemsText(site.problems));
+      say(coverageText(site.coverage));
     },
     async generateBundle(_, bundle) {
       const bare: Assets = { page: assetsOf(bundle, "page"), embed: assetsOf(bundle, "embed") };
       const fonts = await emitFonts(this, root, charactersOf(site!, bare, bundle));
       const assets: Assets = {
-        page: withSheet(bare.page, fonts.page),
-        embed: withSheet(bare.embed, fonts.embed),
+        page: withFonts(bare.page, fonts.page),
+        embed: withFonts(bare.embed, fonts.embed),
       };
       for (const page of site!.pages) {
         const source = site!.render(page, assets);
@@ -84,11 +88,11 @@ function assetsOf(bundle: Rolldown.OutputBundle, name: string): PageAssets {
   if (!entry) throw new Error(`the bundle has no entry "${name}"`);
   const needed = [entry, ...chunks.filter((chunk) => entry.imports.includes(chunk.fileName))];
   const styles = needed.flatMap((chunk) => [...(chunk.viteMetadata?.importedCss ?? [])]);
-  return { styles: [...new Set(styles)], scripts: [entry.fileName] };
+  return { styles: [...new Set(styles)], scripts: [entry.fileName], fonts: [] };
 }
 
-function withSheet({ styles, scripts }: PageAssets, sheet: string): PageAssets {
-  return { styles: [sheet, ...styles], scripts };
+function withFonts({ styles, scripts }: PageAssets, { sheet, first }: FontSheet): PageAssets {
+  return { styles: [sheet, ...styles], scripts, fonts: first };
 }
 
 /** What the fonts must hold. Pages are made once without fonts, to see what stands in them. */

@@ -10,8 +10,8 @@ import { devWorkshop } from "../workshop.ts";
 const FONTS = "@straklatte/fonts.css";
 
 const ASSETS: Assets = {
-  page: { styles: [FONTS], scripts: [ENTRIES.page] },
-  embed: { styles: [FONTS], scripts: [ENTRIES.embed] },
+  page: { styles: [FONTS], scripts: [ENTRIES.page], fonts: [] },
+  embed: { styles: [FONTS], scripts: [ENTRIES.embed], fonts: [] },
 };
 
 /** Serves the pages while writing: each request makes its page anew, each saved lesson reloads the browser. */

@@ -23,9 +23,10 @@ export function shell(page: ShellPage, template: string = readFileSync(TEMPLATE,
     root: escapeHtml(page.root),
     links: headLinks(page),
     boot: `<script>${page.bootScript}</script>`,
-    styles: page.styles
-      .map((path) => `<link${attributes({ rel: "stylesheet", href: page.root + path })}>`)
-      .join("\n"),
+    styles: [
+      ...page.fonts.map((path) => preloadFont(page.root + path)),
+      ...page.styles.map((path) => `<link${attributes({ rel: "stylesheet", href: page.root + path })}>`),
+    ].join("\n"),
     scripts: page.scripts
       .map((path) => `<script${attributes({ type: "module", src: page.root + path })}></script>`)
       .join("\n"),
@@ -52,4 +53,9 @@ function headLinks(page: ShellPage): Html {
       ({ lang, href }) => `<link${attributes({ rel: "alternate", hreflang: lang, href })}>`,
     ),
   );
+}
+
+/** Fonts are always asked for without credentials; a preload that says otherwise would fetch them twice. */
+function preloadFont(href: string): Html {
+  return `<link${attributes({ rel: "preload", as: "font", type: "font/woff2", href })} crossorigin>`;
 }

@@ -51,6 +51,8 @@ export interface ShellPage {
   /** Style sheets and module scripts, as paths below the root. */
   readonly styles: readonly Path[];
   readonly scripts: readonly Path[];
+  /** Fonts to be asked for before the style sheets are read. */
+  readonly fonts: readonly Path[];
   /** The inline line that sets the theme before the first paint: `BOOT` of boot.ts. */
   readonly bootScript: string;
   /** The content security policy; null in the dev server. */
@@ -186,14 +188,21 @@ export interface BlockData {
   readonly html: Html;
 }
 
+/** How a guess is made: by choosing, by a number, by a mark placed in the figure. */
+export type Guess =
+  | { readonly kind: "choice"; readonly options: readonly { readonly html: Html; readonly right: boolean }[] }
+  | { readonly kind: "number"; readonly value: number; readonly within: number }
+  | { readonly kind: "place"; readonly name: string; readonly within: number };
+
 /** `predict.ts`: the question first, a guess, then the answer. */
 export interface PredictData {
   readonly lang: Lang;
   /** Unique in the page. */
   readonly id: string;
   readonly question: Html;
-  /** Answers to choose from; empty if the guess is made on paper. */
-  readonly options: readonly { readonly html: Html; readonly right: boolean }[];
+  readonly guess: Guess;
+  /** The figure that answers, and the state in which it does; null if the text answers alone. */
+  readonly figure: { readonly id: string; readonly query: string } | null;
   readonly answer: Html;
 }
 
@@ -204,6 +213,23 @@ export interface FormulaData {
   readonly html: Html;
   /** The formula in words, for the label of the scrolling box; empty for a general one. */
   readonly words: Text;
+  /** Its symbols, each once: the list behind the button after the formula. */
+  readonly symbols: readonly {
+    /** As it is spoken. */
+    readonly say: Text;
+    /** `figure/name`; null for a symbol that no picture shows. */
+    readonly tie: string | null;
+    readonly index: number | null;
+    /** Number of its entry in the lesson's glossary; null if it has none. */
+    readonly entry: number | null;
+  }[];
+}
+
+/** `symbols.ts`: the glossary of a lesson. */
+export interface SymbolsData {
+  readonly lang: Lang;
+  readonly id: string | null;
+  readonly entries: readonly { readonly number: number; readonly symbol: Html; readonly meaning: Html }[];
 }
 
 /** `state-link.ts`: words that put a figure into a state. */
