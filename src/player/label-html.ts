@@ -34,12 +34,31 @@ export function labelHtml(label: Label, lang: Lang): HTMLElement {
   const root = element("span", { class: math ? "math" : "" });
   root.append(math ? element("i", {}, baseOf(label, lang)) : baseOf(label, lang));
   if (label.prime) root.append("′".repeat(label.prime));
-  if (label.sub) root.append(element("sub", {}, label.sub));
-  if (label.sup) root.append(element("sup", {}, label.sup));
+  if (label.sub || label.sup) root.append(scripts(label));
   const args = argsOf(label, lang);
   // Letters among the arguments are variables: p(t).
   for (const part of args.split(/([a-z])/i)) {
     if (part !== "") root.append(math && /^[a-z]$/i.test(part) ? element("i", {}, part) : part);
   }
   return root;
+}
+
+/** Sub- and superscript stand above each other, as in the formulas: B_i^n. */
+function scripts({ sub, sup }: Label): HTMLElement {
+  if (!sup) return element("sub", {}, ...letters(sub ?? ""));
+  if (!sub) return element("sup", {}, ...letters(sup));
+  return element(
+    "span",
+    { class: "scripts" },
+    element("span", {}, ...letters(sup)),
+    element("span", {}, ...letters(sub)),
+  );
+}
+
+/** Letters are variables, digits are not. */
+function letters(text: string): (Node | string)[] {
+  return text
+    .split(/([a-z]+)/i)
+    .filter((part) => part !== "")
+    .map((part) => (/^[a-z]+$/i.test(part) ? element("i", {}, part) : part));
 }
