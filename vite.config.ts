@@ -17,6 +17,8 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     reportCompressedSize: false,
+    // three, which only pages with surfaces load.
+    chunkSizeWarningLimit: 600,
   },
   test: {
     include: ["tests/**/*.test.ts"],

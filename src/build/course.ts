@@ -53,8 +53,11 @@ export function makeCourse(files: readonly LessonSource[], parts: readonly Part[
     const [de, en] = LANGS.map((lang) => lessons.find((one) => one.id === id && one.lang === lang));
     return de && en ? checkTwins(de, en) : [];
   });
+  // What was mistyped in one language only makes the twins differ; that is told once.
+  const told = new Set(problems.map(({ file, line }) => `${file}:${line}`));
+  const other = twins.filter(({ file, line }) => !told.has(`${file}:${line}`));
   return {
     lessons,
-    problems: [...problems, ...missingTwins(files), ...checkLinks(lessons, order), ...twins],
+    problems: [...problems, ...missingTwins(files), ...checkLinks(lessons, order), ...other],
   };
 }

@@ -39,7 +39,11 @@ export function pagesInBuild(): Plugin {
       workshop = await buildWorkshop(root);
       const { openSite } = await workshop.load<typeof import("../site.ts")>("/src/build/site.ts");
       site = await openSite({ root, policy: true, siteUrl: siteUrl() });
-      if (site.problems.length > 0) this.error(problemsText(site.problems));
+      if (site.problems.length > 0) {
+        // Where in the build the mistake was noticed helps nobody.
+        const message = problemsText(site.problems);
+        this.error({ message, stack: message });
+      }
       say(coverageText(site.coverage));
     },
     async generateBundle(_, bundle) {
