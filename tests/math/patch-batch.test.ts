@@ -5,8 +5,11 @@ import {
   type ControlNet,
   distance,
   limitNormal,
+  norm,
   type Point,
+  parallelogramArea,
   patchNormalInto,
+  patchPartial,
   patchPoint,
   patchPointInto,
   patchTessellator,
@@ -67,6 +70,10 @@ describe("single points and normals", () => {
       const regular = patchNormalInto(out, toFlatNet(c), m, n, u, v, 4);
       const normal = surfaceNormal(bezierPatch(c), u, v);
       if (!regular) expect(out.slice(4, 7)).toEqual([0, 0, 0]);
+      const [su, sv] = [patchPartial(c, u, v, 1, 0), patchPartial(c, u, v, 0, 1)];
+      // Squares of tinier tangents underflow.
+      const sizable = Math.min(norm(su), norm(sv)) > 1e-50;
+      if (sizable && parallelogramArea(su, sv) > 1e-8 * norm(su) * norm(sv)) expect(regular).toBe(true);
       if (normal && regular) expect(distance(out.slice(4, 7), normal)).toBeLessThan(1e-4);
       expect([out[0], out[7]]).toEqual([9, 9]);
     });
@@ -103,7 +110,72 @@ describe("single points and normals", () => {
   });
 });
 
+test("tangents are parallel if the sine of their angle is below 1e-10, whatever their lengths", () => {
+  for (const [a, b] of [
+    [1, 1],
+    [1e4, 1e4],
+    [1e-4, 1e-4],
+    [1e5, 1e-2],
+  ] as const) {
+    // S_u = (a, 0, 0), S_v = b·(cos, sin, 0).
+    const net = (sine: number) =>
+      toFlatNet([
+        [
+          [0, 0, 0],
+          [b, b * sine, 0],
+        ],
+        [
+          [a, 0, 0],
+          [a + b, b * sine, 0],
+        ],
+      ]);
+    const out = [0, 0, 0];
+    expect(patchNormalInto(out, net(1e-11), 1, 1, 0, 0)).toBe(false);
+    expect(patchNormalInto(out, net(1e-8), 1, 1, 0, 0)).toBe(true);
+    expect(out).toEqual([0, 0, 1]);
+  }
+});
+
 describe("patchTessellator", () => {
+  test("reads a regular net twice for each row of samples: every normal is found in passing", () => {
+    const c: ControlNet = [
+      [
+        [0, 0, 0],
+        [0.2, 1, 5],
+        [0, 2, -3],
+      ],
+      [
+        [1, 0.1, 4],
+        [1, 1, 0],
+        [1.2, 2, 5],
+      ],
+      [
+        [2, 0, -2],
+        [2, 1.1, 6],
+        [2, 2, 1],
+      ],
+      [
+        [3, 0.3, 5],
+        [3, 1, -4],
+        [3.1, 2, 0],
+      ],
+    ];
+    let reads = 0;
+    const counted = new Proxy([...toFlatNet(c)], {
+      get: (list, key) => {
+        if (key !== "length") reads++;
+        return Reflect.get(list, key);
+      },
+    });
+    const [positions, normals] = [new Float64Array(3 * 5 * 4), new Float64Array(3 * 5 * 4)];
+    const tessellate = patchTessellator(3, 2, 4, 3);
+    tessellate(counted, positions, normals);
+    expect(reads).toBe(36 * (2 * 5 + 1));
+    reads = 0;
+    tessellate(counted, positions);
+    expect(reads).toBe(36 * 5);
+  });
+
   test("samples points and normals of the readable form, row by row in u", () => {
     forAll([net, fc.integer({ min: 1, max: 4 }), fc.integer({ min: 1, max: 4 })], (c, stepsU, stepsV) => {
       const [m, n] = degrees(c);
@@ -150,6 +222,15 @@ describe("patchTessellator", () => {
     const normals = new Float64Array(27);
     patchTessellator(2, 2, 2, 2)(toFlatNet(noisy), new Float64Array(27), normals);
     expect(distance(at(normals, 1), limitNormal(bezierPatch(tip), 0, 0.5)!)).toBeLessThan(1e-10);
+    const turned = noisy[0]!.map((_, j) => noisy.map((row) => row[j]!));
+    patchTessellator(2, 2, 2, 2)(toFlatNet(turned), new Float64Array(27), normals);
+    expect(
+      distance(
+        at(normals, 3),
+        limitNormal(bezierPatch(tip), 0, 0.5)!.map((x) => -x),
+      ),
+    ).toBeLessThan(1e-10);
+    expect(distance(at(normals, 4), surfaceNormal(bezierPatch(turned), 0.5, 0.5)!)).toBeLessThan(1e-13);
   });
 
   test("without a place for normals it writes positions only", () => {
