@@ -2,7 +2,7 @@ import type { Facet, FacetColour } from "../scene/marks.ts";
 import { facetRgb, TONES } from "./facet-colour.ts";
 import type { Palette } from "./palette.ts";
 import type { FacetsPrimitive } from "./primitives.ts";
-import type { SvgNode } from "./svg-tree.ts";
+import type { SvgNode } from "./svg-node.ts";
 
 /** Tones of a shaded side in a page, where the theme mixes the colours. */
 const TONE_COUNT = 24;

@@ -1,4 +1,4 @@
-import type { SvgNode } from "./svg-tree.ts";
+import type { SvgNode } from "./svg-node.ts";
 
 const ESCAPES: Readonly<Record<string, string>> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
 

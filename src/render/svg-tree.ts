@@ -1,19 +1,15 @@
 import type { PathStep, XY } from "../scene/marks.ts";
 import type { Box } from "../scene/view.ts";
-import { mapColour, NO_VALUE } from "./colour-map.ts";
 import { paintOf } from "./paint.ts";
 import type { Palette } from "./palette.ts";
-import { pngUrl } from "./png.ts";
-import type { Drawing, Primitive, RasterPrimitive, TextPrimitive, TextRun } from "./primitives.ts";
+import type { Drawing, Primitive, TextPrimitive, TextRun } from "./primitives.ts";
+import { short } from "./short.ts";
 import { FONTS, SIZE } from "./sizes.ts";
 import { facetsNode } from "./svg-facets.ts";
+import { type Attributes, node, type SvgNode } from "./svg-node.ts";
+import { rasterNode } from "./svg-raster.ts";
 
-/** An element of an SVG as plain data: written to text, or made by createElementNS. */
-export interface SvgNode {
-  readonly tag: string;
-  readonly attributes: Readonly<Record<string, string | number>>;
-  readonly children: readonly (SvgNode | string)[];
-}
+export type { SvgNode } from "./svg-node.ts";
 
 export interface SvgOptions {
   /** What is to be seen, for those who hear it. */
@@ -26,8 +22,6 @@ export interface SvgOptions {
   /** Leaves out the paper of a file of its own. */
   readonly transparent?: boolean;
 }
-
-type Attributes = Record<string, string | number>;
 
 /** The drawing as an SVG. */
 export function svgTree(drawing: Drawing, options: SvgOptions): SvgNode {
@@ -76,10 +70,6 @@ function clipped({ left, top, width, height }: Box, children: SvgNode[]): SvgNod
   );
 }
 
-function node(tag: string, attributes: Attributes, children: readonly (SvgNode | string)[] = []): SvgNode {
-  return { tag, attributes, children };
-}
-
 function draw(primitive: Primitive, colours: Palette | undefined): SvgNode {
   const look = looks(primitive, colours);
   switch (primitive.kind) {
@@ -95,7 +85,7 @@ function draw(primitive: Primitive, colours: Palette | undefined): SvgNode {
     case "text":
       return text(primitive, look, colours);
     case "raster":
-      return raster(primitive);
+      return rasterNode(primitive);
     case "facets":
       return facetsNode(primitive, colours);
     default: {
@@ -171,42 +161,4 @@ function fontOf({ font, size }: TextRun, colours: Palette | undefined): Attribut
     "font-size": short(size),
     ...(font === "math" ? { "font-style": "italic" } : {}),
   };
-}
-
-/** Few cells as rectangles, which stay sharp everywhere; many as a picture. */
-const FEW = 100;
-
-function raster({ box, columns, rows, levels, colours }: RasterPrimitive): SvgNode {
-  const { left, top, width, height } = box;
-  if (columns * rows > FEW) {
-    return node("image", {
-      x: short(left),
-      y: short(top),
-      width: short(width),
-      height: short(height),
-      preserveAspectRatio: "none",
-      style: "image-rendering:pixelated",
-      href: pngUrl(columns, rows, levels, colours),
-    });
-  }
-  const cells: SvgNode[] = [];
-  levels.forEach((level, i) => {
-    if (level === NO_VALUE) return;
-    cells.push(
-      node("rect", {
-        x: short(left + ((i % columns) * width) / columns),
-        y: short(top + (Math.floor(i / columns) * height) / rows),
-        width: short(width / columns),
-        height: short(height / rows),
-        fill: `rgb(${mapColour(colours, level).join(",")})`,
-      }),
-    );
-  });
-  return node("g", { "shape-rendering": "crispEdges" }, cells);
-}
-
-/** A number with two decimals, without needless zeros. */
-function short(value: number): string {
-  const rounded = Math.round(value * 100) / 100;
-  return Object.is(rounded, -0) ? "0" : String(rounded);
 }
