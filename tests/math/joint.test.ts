@@ -233,6 +233,63 @@ describe("classifyJoint", () => {
     }
   });
 
+  test("what counts as equal is a part of the curves' size over their own domain, and the coordinates' rounding", () => {
+    const over = (points: Point[]) => bezierCurve(points, [1000, 1001]);
+    const apart = a.map((p) => [p[0]! + 4.000004, p[1]! + 1]);
+    expect(classifyJoint(over(a), over(apart)).C0).toBe(false);
+    // Two neighbouring doubles, far away: a tiny curve cannot be closed better.
+    const far = (p: Point): Point => p.map((x) => 1e6 + 1e-3 * x);
+    const next = [
+      [4, 1],
+      [5, -1],
+    ].map(far);
+    next[0] = [next[0]![0]! + 2 ** -33, next[0]![1]!];
+    expect(classifyJoint(bezierCurve(a.map(far)), bezierCurve(next)).C0).toBe(true);
+    expect(classifyJoint(bezierCurve(next).split!(0.5)[0], bezierCurve(next)).C0).toBe(false);
+    const atOrigin = bezierCurve(a.map((p) => [p[0]! - 4, p[1]! - 1]));
+    for (const leg of [1e-9, 1e9]) {
+      const b: Point[] = [
+        [0, 0],
+        [leg, -2 * leg],
+      ];
+      expect(classifyJoint(atOrigin, bezierCurve(b))).toMatchObject({
+        C0: true,
+        C1: false,
+        G1: true,
+        G2: false,
+      });
+    }
+  });
+
+  test("a small curvature beside a straight piece is a difference", () => {
+    const bent: Point[] = [
+      [0, 0],
+      [1, 0],
+      [2, 1e-4],
+    ];
+    const joint = classifyJoint(
+      bezierCurve([
+        [-1, 0],
+        [0, 0],
+      ]),
+      bezierCurve(bent),
+    );
+    expect(joint).toMatchObject({ G1: true, G2: false });
+    expect(joint.curvatureGap).toBeCloseTo(0.5e-4, 12);
+    expect(
+      classifyJoint(
+        bezierCurve([
+          [-1, 0],
+          [0, 0],
+        ]),
+        bezierCurve([
+          [0, 0],
+          [3, 0],
+        ]),
+      ).G2,
+    ).toBe(true);
+  });
+
   test("the tolerance decides", () => {
     const near: Point[] = [
       [4, 1.0001],

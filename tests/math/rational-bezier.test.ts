@@ -82,6 +82,13 @@ test("a pole is null, whatever the order", () => {
   expect(rationalBezierPoint(line, [1e-30, -1e-30], 0.25)).toEqual([-0.5, -0.5]);
 });
 
+test("close to a pole means: beside the largest weight", () => {
+  const line: Point[] = [[0], [1]];
+  const pole = 1e6 / 1000001;
+  expect(rationalBezierPoint(line, [1e6, -1], pole + 1e-11)).toBeNull();
+  expect(rationalBezierPoint(line, [1e6, -1], pole + 1e-9)).not.toBeNull();
+});
+
 test("a split is the same curve in two pieces", () => {
   forAll([curve, unit, unit], ([b, w], t, u) => {
     const [left, right] = splitRationalBezier(b, w, t)!;
