@@ -16,6 +16,8 @@ export function bezierPoint(controlPoints: readonly Point[], t: number): Point {
 /**
  * The r-th derivative of a Bézier curve at t: a vector, the zero vector for r > n, the point itself for r = 0.
  *
+ * Differences of coordinates, times n!/(n − r)!, must stay within the range of doubles: up to 1e300 they do.
+ *
  * @throws RangeError as `bezierPoint`, and if r is not a whole number ≥ 0.
  */
 export function bezierDerivative(controlPoints: readonly Point[], t: number, r = 1): Point {
