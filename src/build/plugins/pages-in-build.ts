@@ -42,7 +42,7 @@ export function pagesInBuild(): Plugin {
       if (site.problems.length > 0) {
         // Where in the build the mistake was noticed helps nobody.
         const message = problemsText(site.problems);
-        this.error({ message, stack: message });
+        this.error({ message, stack: "" });
       }
       say(coverageText(site.coverage));
     },
