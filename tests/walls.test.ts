@@ -22,6 +22,7 @@ const BREACHES = [
   ["src/demos/b.ts", 'import "./x.ts";', "demos-stand-alone"],
   ["src/exercises/a.ts", 'import "../demos/x.ts";', "walls-of-exercises"],
   ["src/exercises/b.ts", 'import "./x.ts";', "demos-stand-alone"],
+  ["src/identities/a.ts", 'import "../scene/x.ts";', "walls-of-identities"],
   ["src/render/a.ts", 'import type { x } from "../demo/x.ts"; let y: typeof x;', "walls-of-render"],
   ["src/render/b.ts", 'import "./dom/x.ts";', "svg-tree-knows-no-dom"],
   ["src/player/a.ts", 'import("../demos/x.ts");', "walls-of-player"],
@@ -55,7 +56,7 @@ const ALLOWED = [
   ],
 ] as const;
 
-const ROOMS = "math words data scene demo demos exercises render render/dom player site".split(" ");
+const ROOMS = "math words data scene demo demos exercises identities render render/dom player site".split(" ");
 
 describe("the walls between the rooms", () => {
   const folder = mkdtempSync(join(tmpdir(), "walls-"));
@@ -106,7 +107,7 @@ describe("the walls between the rooms", () => {
 describe("what no rule about imports sees", () => {
   const pure = sources("src").filter(
     ({ path }) =>
-      /^src\/(math|data|words|scene|demo|demos|exercises)\//.test(path) || /^src\/render\/[^/]+$/.test(path),
+      /^src\/(math|data|words|scene|demo|demos|exercises|identities)\//.test(path) || /^src\/render\/[^/]+$/.test(path),
   );
 
   test("pure rooms know neither chance nor time nor the console", () => {

@@ -8,6 +8,7 @@ import {
   type Heading,
   type LessonEnv,
   type LessonFigure,
+  type LessonFormula,
   type LessonLink,
   type LessonStateLink,
   newEnv,
@@ -32,6 +33,7 @@ export interface Lesson {
   readonly figures: readonly LessonFigure[];
   readonly links: readonly LessonLink[];
   readonly stateLinks: readonly LessonStateLink[];
+  readonly formulas: readonly LessonFormula[];
   readonly skeleton: readonly Bone[];
 }
 
@@ -48,6 +50,8 @@ export interface Workbench {
   readonly demos: ReadonlyMap<string, Demo>;
   readonly still: Still;
   readonly readSource: (path: string) => string | null;
+  /** Formulas that checks were written for, by the checks' ids. */
+  readonly identities: ReadonlyMap<string, string>;
 }
 
 let markdown: MarkdownIt | undefined;
@@ -77,6 +81,7 @@ export function compileLesson(
     figures: env.figures,
     links: env.links,
     stateLinks: env.stateLinks,
+    formulas: env.formulas,
     skeleton: env.skeleton,
   };
   return { lesson, problems: [...problems, ...env.problems] };

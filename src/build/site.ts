@@ -3,10 +3,12 @@ import { join, normalize } from "node:path";
 import { hero, parts } from "../../lessons/toc.ts";
 import type { Demo } from "../demo/index.ts";
 import { demos as registry } from "../demos/index.ts";
+import { identities } from "../identities/index.ts";
 import { LANGS } from "../words/words.ts";
 import type { Assets } from "./assets.ts";
 import type { Workbench } from "./compile-lesson.ts";
 import { type Course, makeCourse, readLessonFiles } from "./course.ts";
+import { type Coverage, coverageOf } from "./coverage.ts";
 import { chooser } from "./pages/chooser.ts";
 import { embed } from "./pages/embed.ts";
 import { front } from "./pages/front.ts";
@@ -21,6 +23,8 @@ import { still } from "./still.ts";
 export interface Site {
   readonly pages: readonly Page[];
   readonly problems: readonly Problem[];
+  /** How many displayed formulas are proved by a check. */
+  readonly coverage: Coverage;
   /** The document of one page. */
   render(page: Page, assets: Assets): string;
   /** The page that a host shows for addresses that lead nowhere. */
@@ -42,12 +46,18 @@ export interface SiteOptions {
  */
 export async function openSite({ root, policy, siteUrl }: SiteOptions): Promise<Site> {
   const demos = await loadDemos();
-  const bench: Workbench = { demos, still, readSource: (path) => readInside(root, path) };
+  const bench: Workbench = {
+    demos,
+    still,
+    readSource: (path) => readInside(root, path),
+    identities: new Map(Object.entries(identities).map(([id, { formula }]) => [id, formula])),
+  };
   const course = makeCourse(readLessonFiles(root), parts, bench);
   const context: PageContext = { course, parts, demos, still, hero };
   return {
     pages: listPages(context),
     problems: course.problems,
+    coverage: coverageOf(course.lessons),
     render: (page, assets) => renderPage(page, context, { assets, policy, siteUrl }),
     notFound,
   };

@@ -31,6 +31,7 @@ export const bench: Workbench = {
     box: { wide: 0.5, narrow: 0.7, belowWide: 52, belowNarrow: 100 },
     svg: `<svg data-state="${JSON.stringify(state).replaceAll('"', "'")}"></svg>`,
   }),
+  identities: new Map([["sum", "a + b = b + a"]]),
   readSource: (path) =>
     path === "src/math/a.ts" ? "export function half(x: number) {\n  return x / 2;\n}\n" : null,
 };

@@ -36,7 +36,7 @@ const MISTAKES: readonly (readonly [string, string, number, RegExp, RegExp])[] =
   ["attribute twice", "::: demo seesaw {#fig t=1 t=0}\nC.\n:::", 0, /"t" stands twice/, /:::/],
   ["braces unreadable", '::: demo seesaw {#fig ="a"}\nC.\n:::', 0, /neither #id nor name=value/, /:::/],
   ["TeX, inline", "Eins\nzwei $\\frac{1}$ drei", 1, /TeX: .*frac/, /mend the formula: \\frac\{1\}/],
-  ["TeX, unknown command", "$\\tie{p}{x}$", 0, /Undefined control sequence: \\tie/, /mend the formula/],
+  ["TeX, unknown command", "$\\tied{p}{x}$", 0, /Undefined control sequence: \\tied/, /mend the formula/],
   ["TeX, displayed, third line", "$$\na\n+ \\nonsense\n$$", 2, /\\nonsense/, /mend/],
   ["TeX, displayed, one line", "\n$$ \\nonsense $$", 1, /\\nonsense/, /mend/],
   ["TeX, letter that is no TeX", "$\\text{a} ä$", 0, /Unicode/, /mend/],

@@ -5,7 +5,7 @@ import { lessonPage } from "../../src/build/templates/lesson-page.ts";
 import { predict } from "../../src/build/templates/predict.ts";
 import { section } from "../../src/build/templates/section.ts";
 import { stateLink } from "../../src/build/templates/state-link.ts";
-import { BLOCK_KINDS, type FigureData, type LessonPage } from "../../src/build/templates/types.ts";
+import { BLOCK_KINDS, type FigureData, type Guess, type LessonPage } from "../../src/build/templates/types.ts";
 import { LANGS } from "../../src/words/words.ts";
 
 const data: FigureData = {
@@ -67,10 +67,14 @@ describe("a prediction", () => {
     lang: "de",
     id: "p1",
     question: "<p>Wo?</p>",
-    options: [
-      { html: "hier", right: false },
-      { html: "dort", right: true },
-    ],
+    guess: {
+      kind: "choice",
+      options: [
+        { html: "hier", right: false },
+        { html: "dort", right: true },
+      ],
+    },
+    figure: { id: "fig", query: "t=0.5" },
     answer: "<p>Dort.</p>",
   });
 
@@ -85,8 +89,15 @@ describe("a prediction", () => {
     expect(html).toMatch(/option right.*dort.*richtig/);
   });
 
-  test("without options has no empty group", () => {
-    expect(predict({ lang: "en", id: "p", question: "", options: [], answer: "" })).not.toContain("fieldset");
+  test("names the figure that answers, and the state in which it does", () => {
+    expect(html).toContain('data-figure="fig" data-reveal="t=0.5"');
+  });
+
+  test("of a number or a place asks for it in words", () => {
+    const ask = (guess: Guess) =>
+      predict({ lang: "en", id: "p", question: "", guess, figure: null, answer: "" });
+    expect(ask({ kind: "number", value: 0.5, within: 0.1 })).toMatch(/Your number <input type="text"/);
+    expect(ask({ kind: "place", name: "p", within: 0.1 })).toContain("arrow keys");
   });
 });
 

@@ -4,6 +4,8 @@ import type { State } from "../../demo/param.ts";
 import type { Lang } from "../../words/words.ts";
 import type { Problem } from "../problem.ts";
 import type { FigureData, Html } from "../templates/types.ts";
+import type { GlossaryEntry } from "../tex/annotate.ts";
+import type { FigureNames } from "../tex/figure-names.ts";
 
 /** A heading of a lesson, or another place with an id. */
 export interface Anchor {
@@ -19,6 +21,26 @@ export interface Heading extends Anchor {
 /** A demo in a lesson. */
 export interface LessonFigure extends Anchor {
   readonly demo: string;
+  /** The figure's own state; null if there is no such demo. */
+  readonly own: State | null;
+}
+
+/** A displayed formula, and the check that proves it. */
+export interface LessonFormula {
+  readonly line: number;
+  /** Id of its check; null for none. */
+  readonly check: string | null;
+  /** Whether it states nothing that could be computed. */
+  readonly notation: boolean;
+}
+
+/** What the place of a token in the text means for the formula in it; blocks write it, the TeX rule reads it. */
+export interface FormulaMeta {
+  /** The figure to which its symbols belong, if the author names one. */
+  readonly figure?: string | undefined;
+  readonly id?: string | null;
+  readonly check?: string | null;
+  readonly notation?: boolean;
 }
 
 /** A link whose end is checked once all lessons are known. */
@@ -34,6 +56,7 @@ export interface LessonStateLink {
   readonly line: number;
   readonly figure: string;
   readonly query: string;
+  readonly patch: State;
 }
 
 /** A part of the lesson that the other language must have at the same place. */
@@ -56,7 +79,16 @@ export interface LessonEnv {
   readonly still: Still;
   /** The lines of a file of the project, for blocks that show code; null if there is none. */
   readonly readSource: (path: string) => string | null;
+  /** Formulas that checks were written for, by the checks' ids. */
+  readonly identities: ReadonlyMap<string, string>;
   readonly problems: Problem[];
+  /** The symbols of the lesson. */
+  readonly glossary: GlossaryEntry[];
+  readonly formulas: LessonFormula[];
+  /** Where the reader's guess begins, in figures where it is a place: `view x,y`. */
+  readonly guesses: Map<string, string>;
+  /** Names of each figure, once somebody has asked for them. */
+  readonly names: Map<string, FigureNames | null>;
   readonly headings: Heading[];
   readonly anchors: Anchor[];
   readonly figures: LessonFigure[];
@@ -67,9 +99,9 @@ export interface LessonEnv {
 }
 
 export function newEnv(
-  given: Pick<LessonEnv, "file" | "lang" | "source" | "demos" | "still" | "readSource">,
+  given: Pick<LessonEnv, "file" | "lang" | "source" | "demos" | "still" | "readSource" | "identities">,
 ): LessonEnv {
-  const { file, lang, source, demos, still, readSource } = given;
+  const { file, lang, source, demos, still, readSource, identities } = given;
   return {
     file,
     lang,
@@ -77,7 +109,12 @@ export function newEnv(
     demos,
     still,
     readSource,
+    identities,
     problems: [],
+    glossary: [],
+    formulas: [],
+    guesses: new Map(),
+    names: new Map(),
     headings: [],
     anchors: [],
     figures: [],

@@ -3,6 +3,9 @@ import MarkdownIt from "markdown-it";
 import { callouts } from "./blocks/callout.ts";
 import { code } from "./blocks/code.ts";
 import { demo, print } from "./blocks/demo.ts";
+import { identity, notation } from "./blocks/identity.ts";
+import { answer, predict } from "./blocks/predict.ts";
+import { symbols } from "./blocks/symbols.ts";
 import { type BlockRules, blocks } from "./rules/blocks.ts";
 import { footnotes } from "./rules/footnotes.ts";
 import { glue } from "./rules/glue.ts";
@@ -15,7 +18,7 @@ import { tex } from "./rules/tex.ts";
 import { unparsed } from "./rules/unparsed.ts";
 
 /** Every kind of block a lesson may hold; a new one is a file of `blocks/` and an entry here. */
-const BLOCKS: BlockRules = { demo, print, code, ...callouts };
+const BLOCKS: BlockRules = { demo, print, code, identity, notation, predict, answer, symbols, ...callouts };
 
 /** The markdown of the lessons. The order matters where a rule says so. */
 export function createMarkdown(): MarkdownIt {

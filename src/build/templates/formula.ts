@@ -4,9 +4,23 @@ import { WORDS } from "./words.ts";
 
 /**
  * A displayed formula. The box takes the keyboard's focus only where it really scrolls; the page's script
- * sees to that, and the label is there for it.
+ * sees to that, and the label is there for it. The symbols that mean something are listed behind one button: nothing
+ * within the formula takes the focus.
  */
 export function formula(data: FormulaData): Html {
-  const label = data.words || WORDS[data.lang].formula;
-  return `<div${attributes({ class: "formula", id: data.id, "data-label": label })}>${data.html}</div>`;
+  const words = WORDS[data.lang];
+  const label = data.words || words.formula;
+  const own = data.symbols.length > 0 ? null : data.id;
+  const box = `<div${attributes({ class: "formula", id: own, "data-label": label })}>${data.html}</div>`;
+  if (data.symbols.length === 0) return box;
+  const list = data.symbols.map(({ say, tie, entry }) => [say, tie, entry]);
+  const button = `<button${attributes({
+    type: "button",
+    class: "symbols-button",
+    "aria-haspopup": "listbox",
+    "aria-expanded": "false",
+    "aria-label": words.symbolsOfFormula,
+    "data-symbols": JSON.stringify(list),
+  })}>${words.symbols}</button>`;
+  return `<div${attributes({ class: "equation", id: data.id })}>${box}${button}</div>`;
 }

@@ -35,6 +35,12 @@ export interface PageWords {
   readonly answer: string;
   readonly rightAnswer: string;
   readonly wrongAnswer: string;
+  readonly commit: string;
+  readonly guessNumber: string;
+  readonly guessPlace: string;
+  readonly symbols: string;
+  readonly symbolsOfFormula: string;
+  readonly symbolsOfLesson: string;
   readonly codeFrom: (source: string) => string;
   readonly blocks: Readonly<Record<BlockKind | "predict", string>>;
 }
@@ -71,6 +77,13 @@ export const WORDS: Readonly<Record<Lang, PageWords>> = {
     answer: "Auflösen",
     rightAnswer: "richtig",
     wrongAnswer: "trifft nicht zu",
+    commit: "Vermutung festlegen",
+    guessNumber: "Ihre Zahl",
+    guessPlace:
+      "Schieben Sie den Punkt „Ihr Tipp“ in der Figur an die Stelle, mit der Maus, dem Finger oder den Pfeiltasten.",
+    symbols: "Zeichen",
+    symbolsOfFormula: "Zeichen dieser Formel",
+    symbolsOfLesson: "Zeichen dieser Lektion",
     codeFrom: (source) => `Die Zeilen stehen so in ${source}.`,
     blocks: {
       note: "Anmerkung",
@@ -115,6 +128,13 @@ export const WORDS: Readonly<Record<Lang, PageWords>> = {
     answer: "Show the answer",
     rightAnswer: "right",
     wrongAnswer: "does not hold",
+    commit: "Commit to this guess",
+    guessNumber: "Your number",
+    guessPlace:
+      "Move the point “your guess” in the figure to the place, with the mouse, a finger or the arrow keys.",
+    symbols: "Symbols",
+    symbolsOfFormula: "Symbols of this formula",
+    symbolsOfLesson: "Symbols of this lesson",
     codeFrom: (source) => `These lines stand in ${source}.`,
     blocks: {
       note: "Note",

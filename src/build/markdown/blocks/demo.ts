@@ -16,8 +16,8 @@ export const demo: BlockRule = {
     const found = env.demos.get(block.args);
     const id = block.id ?? "";
     // Even a figure that cannot be shown has its place, so that one mistake is told once.
-    env.figures.push({ id, line: block.line, demo: block.args });
     if (!found) {
+      env.figures.push({ id, line: block.line, demo: block.args, own: null });
       report(env, block.line, `unknown demo "${block.args}"`, choices(block.args, [...env.demos.keys()]));
       env.skeleton.push({ line: block.line, sign: `demo ${block.args} #${id}` });
       return null;
@@ -35,6 +35,8 @@ export const demo: BlockRule = {
       attributes.filter(([name]) => !FRAME[name]),
     );
     for (const { message, remedy } of read.problems) report(env, block.line, message, remedy);
+    const own = changed(found, initialState(found), read.patch);
+    env.figures.push({ id, line: block.line, demo: block.args, own });
     env.skeleton.push({ line: block.line, sign: `demo ${found.id} #${id} ${read.query}`.trim() });
     if (block.children.every((child) => child.type === "lesson_block")) {
       report(env, block.line, `the figure "${id}" has no caption`, "say below ::: demo what is to be seen");
@@ -44,15 +46,18 @@ export const demo: BlockRule = {
       demo: found.id,
       lang: env.lang,
       attributes: Object.fromEntries(attributes),
-      ...env.still(found, changed(found, initialState(found), read.patch), env.lang),
+      ...env.still(found, own, env.lang),
     };
     return data;
   },
-  render: (block, _env, tools, data) => {
+  render: (block, env, tools, data) => {
     if (data === null) return "";
+    const given = data as Omit<FigureData, "caption" | "printCaption">;
+    const guess = env.guesses.get(given.id);
     const isPrint = (token: (typeof block.children)[number]) => token.meta?.block?.name === "print";
     return `${figure({
-      ...(data as Omit<FigureData, "caption" | "printCaption">),
+      ...given,
+      attributes: { ...given.attributes, ...(guess === undefined ? {} : { "data-guess": guess }) },
       caption: tools.html(block.children.filter((token) => !isPrint(token))),
       printCaption: tools.html(block.children.filter(isPrint)),
     })}\n`;

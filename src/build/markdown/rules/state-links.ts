@@ -80,7 +80,7 @@ function readLink(open: Token, words: Token[], env: LessonEnv): Token[] {
   const state = readState(demo, query);
   for (const { message, remedy } of state.problems)
     report(env, line, `figure "${figureId}": ${message}`, remedy);
-  env.stateLinks.push({ line, figure: figureId, query: state.query });
+  env.stateLinks.push({ line, figure: figureId, query: state.query, patch: state.patch });
   const token = new (open.constructor as new (type: string, tag: string, nesting: 0) => Token)(
     "state_link",
     "a",

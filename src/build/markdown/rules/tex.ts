@@ -2,16 +2,23 @@ import { tex as texPlugin } from "@mdit/plugin-tex";
 import type MarkdownIt from "markdown-it";
 import type Token from "markdown-it/lib/token.mjs";
 import { formula } from "../../templates/formula.ts";
-import { type LessonEnv, lineOf, report } from "../env.ts";
-import { typeset } from "../typeset.ts";
+import type { FormulaData } from "../../templates/types.ts";
+import { annotate, type SymbolUse } from "../../tex/annotate.ts";
+import { plainTex, sayTex } from "../../tex/say-tex.ts";
+import { type FormulaMeta, type LessonEnv, lineOf, report } from "../env.ts";
+import { texContext } from "../tex-context.ts";
+import { typesetMarked } from "../typeset.ts";
 
 /** `$…$` and `$$…$$`, set by KaTeX while the lesson is built; a formula that fails is a problem with its line. */
 export function tex(md: MarkdownIt): void {
   md.use(texPlugin, { delimiters: "dollars", render: () => "" });
-  md.renderer.rules.math_inline = (tokens, i, _options, env: LessonEnv) => set(tokens[i]!, false, env);
+  md.renderer.rules.math_inline = (tokens, i, _options, env: LessonEnv) => set(tokens[i]!, false, env).html;
   md.renderer.rules.math_block = (tokens, i, _options, env: LessonEnv) => {
-    const html = set(tokens[i]!, true, env);
-    return `${formula({ lang: env.lang, id: null, html, words: "" })}\n`;
+    const token = tokens[i]!;
+    const { html, symbols } = set(token, true, env);
+    const { id = null, check = null, notation = false } = (token.meta ?? {}) as FormulaMeta;
+    env.formulas.push({ line: lineOf(token), check, notation });
+    return `${formula({ lang: env.lang, id, html, words: "", symbols: listed(symbols, env) })}\n`;
   };
   // Before "text_join": until then a "\\$" of the author's is told apart from one that was left over.
   md.core.ruler.before("text_join", "stray_tex", (state) => {
@@ -19,15 +26,35 @@ export function tex(md: MarkdownIt): void {
   });
 }
 
-function set(token: Token, display: boolean, env: LessonEnv): string {
-  const result = typeset(token.content, display, env.lang);
+function set(
+  token: Token,
+  display: boolean,
+  env: LessonEnv,
+): { readonly html: string; readonly symbols: readonly SymbolUse[] } {
+  const marked = annotate(token.content, texContext(token, env));
+  const result = typesetMarked(marked, token.content, display, env.lang);
   if (display) checkEnd(token, env);
-  if (result.ok) return result.html;
   // What follows "$$" on its own line begins on the next one.
   const below = display && /^[^$]*\$\$\s*$/.test(env.source[lineOf(token) - 1] ?? "");
-  const line = lineOf(token) + (below ? 1 : 0) + result.line;
-  report(env, line, `TeX: ${result.message}`, `mend the formula: ${shorten(token.content)}`);
-  return "";
+  const first = lineOf(token) + (below ? 1 : 0);
+  if (!result.ok) {
+    report(env, first + result.line, `TeX: ${result.message}`, `mend the formula: ${shorten(token.content)}`);
+    return { html: "", symbols: [] };
+  }
+  for (const { message, remedy } of marked.problems) report(env, first, `TeX: ${message}`, remedy);
+  return { html: result.html, symbols: marked.symbols };
+}
+
+/** The symbols of a formula as its list shows them: each once. */
+function listed(symbols: readonly SymbolUse[], env: LessonEnv): FormulaData["symbols"] {
+  const all = symbols.map(({ tex, tie, index, entry }) => ({
+    say: sayTex(plainTex(tex), env.lang),
+    tie,
+    index,
+    entry,
+  }));
+  const same = (a: (typeof all)[number], b: (typeof all)[number]) => a.say === b.say && a.tie === b.tie;
+  return all.filter((one, i) => all.findIndex((other) => same(one, other)) === i);
 }
 
 /** The parser takes everything up to the end of the lesson for a formula that is not closed. */
