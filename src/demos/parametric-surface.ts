@@ -1,6 +1,5 @@
 import { boolean, choice, defineDemo, number, points } from "../demo/index.ts";
 import {
-  add,
   bezierCurve,
   distance,
   graphSurface,
@@ -8,7 +7,6 @@ import {
   limitNormal,
   revolvedSurface,
   type Surface,
-  scale,
   sphereSurface,
   surfaceNormal,
 } from "../math/index.ts";
@@ -94,7 +92,7 @@ export default defineDemo({
     facets: number({
       initial: 12,
       min: 3,
-      max: 48,
+      max: 40,
       step: 1,
       whole: true,
       label: { de: "Facetten je Richtung", en: "Facets each way" },
@@ -112,7 +110,7 @@ export default defineDemo({
     }),
     domain: domainView(),
   },
-  values: ({ surface: id, uv, facets }) => {
+  values: ({ surface: id, uv, mesh, facets }) => {
     const { surface } = EXAMPLES[id];
     const [[u0, u1], [v0, v1]] = surface.domain;
     const [a, b] = uv[0] as readonly [number, number];
@@ -124,7 +122,8 @@ export default defineDemo({
       s,
       normal: surfaceNormal(surface, u, v),
       limit: limitNormal(surface, u, v),
-      gap: meshError(surface, facets),
+      /** How far the mesh is off; asked for only where it is shown. */
+      gap: mesh ? meshError(surface, facets) : null,
       square: s.reduce((sum, x) => sum + x * x, 0),
     };
   },
@@ -161,12 +160,12 @@ export default defineDemo({
       const [at, to] = [`u = ${formatNumber(u, lang)}, v = ${formatNumber(v, lang)}`, formatPoint(s, lang)];
       if (lang === "de") {
         const kind = mesh
-          ? `, als Polygonnetz mit ${facets} mal ${facets} Facetten; es weicht bis zu ${formatNumber(gap, lang, 3)} ab`
+          ? `, als Polygonnetz mit ${facets} mal ${facets} Facetten; es weicht bis zu ${formatNumber(gap ?? 0, lang, 3)} ab`
           : "";
         return `${name}${kind}. Zu ${at} im Parameterrechteck gehört der Flächenpunkt ${to}.`;
       }
       const kind = mesh
-        ? `, as a polygon mesh of ${facets} by ${facets} facets; it is off by up to ${formatNumber(gap, lang, 3)}`
+        ? `, as a polygon mesh of ${facets} by ${facets} facets; it is off by up to ${formatNumber(gap ?? 0, lang, 3)}`
         : "";
       return `${name}${kind}. To ${at} in the parameter rectangle belongs the surface point ${to}.`;
     }),
@@ -212,16 +211,22 @@ function gridLines(surface: Surface): Mark[] {
   );
 }
 
-/** The largest distance, at the middles of facets and of their sides, between mesh and surface. */
+/** The largest distance, at the middles of the facets, between mesh and surface. */
 function meshError(surface: Surface, facets: number): number {
   const [[u0, u1], [v0, v1]] = surface.domain;
   const at = (i: number, j: number) =>
     surface.point(u0 + ((u1 - u0) * i) / facets, v0 + ((v1 - v0) * j) / facets);
+  const corners = evenly(0, facets, facets).map((i) => evenly(0, facets, facets).map((j) => at(i, j)));
   let most = 0;
   for (let i = 0; i < facets; i++) {
     for (let j = 0; j < facets; j++) {
-      const corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
-      const middle = scale(corners.reduce(add), 0.25);
+      const [a, b, c, d] = [
+        corners[i]![j]!,
+        corners[i + 1]![j]!,
+        corners[i + 1]![j + 1]!,
+        corners[i]![j + 1]!,
+      ];
+      const middle = a.map((x, k) => (x + b[k]! + c[k]! + d[k]!) / 4);
       most = Math.max(most, distance(middle, at(i + 0.5, j + 0.5)));
     }
   }

@@ -185,12 +185,12 @@ export default defineDemo({
       if (lang === "de") {
         const end = normal
           ? `Ihr Kreuzprodukt hat die Länge ${formatNumber(product, lang)}; die Normale ist ${p(normal)}.`
-          : "Ihr Kreuzprodukt ist null: Hier gibt es keine Normale.";
+          : "Ihr Kreuzprodukt verschwindet: Hier gibt es keine Normale.";
         return `Bei ${at} liegt der Flächenpunkt ${p(s)}. Die Ableitung nach u ist ${p(su)}, die nach v ${p(sv)}. ${end}`;
       }
       const end = normal
         ? `Their cross product has the length ${formatNumber(product, lang)}; the normal is ${p(normal)}.`
-        : "Their cross product is zero: there is no normal here.";
+        : "Their cross product vanishes: there is no normal here.";
       return `At ${at} lies the surface point ${p(s)}. The derivative in u is ${p(su)}, the one in v ${p(sv)}. ${end}`;
     }),
   states: {
