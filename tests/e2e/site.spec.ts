@@ -74,18 +74,20 @@ test.describe("state links", () => {
     page,
   }) => {
     await page.goto(LESSON);
-    const { link, id, query, selector } = await firstLink(page);
+    const { link, id, selector } = await firstLink(page);
     const entries = await page.evaluate(() => history.length);
     // By key: a link that is broken across two lines has no middle to click on.
     await link.press("Enter");
     await expect(link).toHaveAttribute("aria-current", "true");
     await expect(page).toHaveURL(new RegExp(`#${id}\\?`));
-    expect(decodeURIComponent(page.url().split("?")[1]!).split("&")).toEqual(
-      expect.arrayContaining(decodeURIComponent(query).split("&")),
-    );
     expect(await page.evaluate(() => history.length)).toBe(entries);
 
     const figure = await alive(page, selector);
+    const there = await stateOf(figure);
+    const copy = await page.context().newPage();
+    await copy.goto(page.url());
+    await expect.poll(async () => stateOf(await alive(copy, selector))).toEqual(there);
+    await copy.close();
     await figure.locator(".tool-undo").click();
     await expect(link).not.toHaveAttribute("aria-current");
     await expect(page).not.toHaveURL(/\?/);
@@ -298,6 +300,7 @@ test("in a sandboxed frame, where storage throws, everything still works", async
     `<iframe src="${LESSON}" width="1000" height="700" sandbox="allow-scripts" title="lesson"></iframe>`,
   );
   const frame = page.frameLocator("iframe");
+  await frame.locator("curve-demo").first().scrollIntoViewIfNeeded();
   await frame.locator("curve-demo[data-ready]").first().waitFor();
   const button = frame.getByRole("button", { name: "Farben" });
   await button.click();
@@ -331,13 +334,16 @@ test.describe("accessibility", () => {
   for (const colorScheme of ["light", "dark"] as const) {
     for (const path of PAGES) {
       test(`${path}, ${colorScheme}`, async ({ page }) => {
+        test.slow();
         await page.emulateMedia({ colorScheme });
         await page.goto(path);
         if (await page.locator("curve-demo").count()) await alive(page);
+        // Formulas for the eye (MathML stands beside them) and still pictures are hidden from the ear; their many
+        // thousand nodes would only take time.
+        await page.evaluate(() => {
+          for (const hidden of document.querySelectorAll(".katex-html, curve-demo > svg")) hidden.remove();
+        });
         const { violations } = await new AxeBuilder({ page })
-          // What is hidden from everyone's ears, and thousands of nodes large.
-          .exclude(".katex-html")
-          .exclude("curve-demo > svg")
           .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"])
           .analyze();
         expect(
