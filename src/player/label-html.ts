@@ -14,7 +14,8 @@ function baseOf(label: Label, lang: Lang): string {
 function argsOf(label: Label, lang: Lang): string {
   if (!label.args) return "";
   const parts = label.args.map((arg) => (typeof arg === "number" ? formatNumber(arg, lang) : arg));
-  return `(${parts.join(lang === "de" ? "; " : ", ")})`;
+  const commaTaken = lang === "de" && label.args.some((arg) => typeof arg === "number");
+  return `(${parts.join(commaTaken ? "; " : ", ")})`;
 }
 
 /** A label as plain text: c₂, p′(0,4). For names that are spoken, titles, tooltips. */
