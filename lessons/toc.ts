@@ -32,4 +32,8 @@ export const parts: readonly Part[] = [
 ];
 
 /** The live figure of the front page, in the notation of state links, and the lesson that explains it. */
-export const hero = { demo: "de-casteljau", query: "", lesson: "bezier" };
+export const hero = {
+  demo: "de-casteljau",
+  query: "points=2.2,0.8;0.2,-0.1;-0.3,2.1;1.5,2.95;3.7,2.9;4.8,1.3;4,-0.05&t=0.55",
+  lesson: "bezier",
+};
