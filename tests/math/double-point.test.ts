@@ -107,6 +107,38 @@ test("a shifted parameter shifts the parameters, and a cusp stays a cusp", () =>
   });
 });
 
+test("neither the size of the curve nor the speed of its parameter matters", () => {
+  for (const factor of [1e-6, 3, 1e6]) {
+    for (const speed of [1e-3, 2, 1e3]) {
+      // (t², t³ − k·t), scaled, with t replaced by speed · t.
+      const curve = (k: number): Point[] =>
+        [
+          [0, speed ** 3],
+          [speed ** 2, 0],
+          [0, -k * speed],
+          [1, 1],
+        ].map((p) => p.map((x) => factor * x));
+      const node = cubicDoublePoint(curve(1));
+      expect(node.kind).toBe("node");
+      expect(node.parameters[0]! * speed).toBeCloseTo(-1, 9);
+      expect(node.parameters[1]! * speed).toBeCloseTo(1, 9);
+      expect(node.point![0]! / factor).toBeCloseTo(2, 9);
+      expect(cubicDoublePoint(curve(0)).kind).toBe("cusp");
+      expect(cubicDoublePoint(curve(-1)).kind).toBe("isolated");
+      expect(
+        cubicDoublePoint(
+          [
+            [1e-13, 1],
+            [0, 0.5],
+            [1, 0],
+            [0, 0],
+          ].map((p) => p.map((x) => factor * x)),
+        ).kind,
+      ).toBe("none");
+    }
+  }
+});
+
 test("both parameters of a node lead to its point, and the tangents are the derivatives there", () => {
   const row = fc.tuple(coordinate, coordinate);
   forAll([row, row, row, row], (...coefficients) => {
