@@ -4,7 +4,7 @@ import type { GroundMark, Mark, PatchMark, PathStep, XY } from "./marks.ts";
 import type { SpaceTransform } from "./space.ts";
 
 /** The shadow is one flat tone: a coarse outline serves. */
-const SHADOW_CELLS = 256;
+const SHADOW_CELLS = 64;
 
 /** The ground as lines of the picture, with the shadow that the surfaces throw straight down, seen from above. */
 export function projectGround(
