@@ -44,7 +44,9 @@ export function drawLabels(sheet: Sheet, lang: Lang, marks: readonly Mark[]): vo
     const { mark, text } = seen[i]!;
     const at = [placed.box.left, placed.box.top + text.ascent];
     // Letters on the filled region of a weight need no rim, and get one nowhere else without a reason.
-    const part = placed.crossed && mark.role !== "weight" ? "text" : "plain";
+    // Over surfaces, light and dark by turns, they need one.
+    const rimmed = placed.crossed || transform.space !== undefined;
+    const part = rimmed && mark.role !== "weight" ? "text" : "plain";
     if (isLit(mark, sheet) && !shown.has(mark.name)) {
       primitives.push({ kind: "path", ...base(mark, "shine"), steps: frameOf(placed.box) });
     }
