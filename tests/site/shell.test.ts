@@ -76,7 +76,9 @@ describe("the shell", () => {
     for (const [, address] of html.matchAll(/ (?:href|src)="([^"]*)"/g)) {
       expect(address).toMatch(/^(\.\.\/\.\.\/|#|https:\/\/creativecommons\.org\/)/);
     }
-    expect(html).not.toContain("crossorigin");
+    for (const [sheet] of html.matchAll(/<link rel="stylesheet"[^>]*>/g)) {
+      expect(sheet).not.toContain("crossorigin");
+    }
   });
 
   test("an unknown place in the template is an error that names it", () => {
