@@ -46,6 +46,7 @@ export function createControls(core: Core, actions: ControlActions): Controls {
           mover.put(id, param.round(value), commit, merge);
         })
       : null;
+  if (slider && main) slider.root.dataset.param = main[0];
 
   const panel =
     options.controls === "full" && !options.still

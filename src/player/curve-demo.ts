@@ -1,4 +1,5 @@
 import type { Demo } from "../demo/define.ts";
+import { withGuess } from "../demo/guess.ts";
 import type { State } from "../demo/param.ts";
 import { readQuery, splitQuery, writeQuery } from "../demo/query.ts";
 import { changed, checkValues, initialState, type Problem, readValues, sameState } from "../demo/state.ts";
@@ -118,6 +119,19 @@ export class CurveDemo extends HTMLElement {
     this.#whenAwake((player) => player.mover.play(on));
   }
 
+  /** What the figure computes in its present state, and the state itself: numbers, points, lists by name. */
+  get values(): Readonly<Record<string, unknown>> {
+    return this.#player ? { ...this.#player.store.state, ...this.#player.figure.values } : {};
+  }
+
+  /** Names of all that can be lit up now: marks, handles, parameters. */
+  get names(): readonly string[] {
+    if (!this.#player || !this.#demo) return [];
+    const { scene, handles } = this.#player.figure;
+    const marks = Object.values(scene).flatMap((view) => view.flatMap(({ name }) => name ?? []));
+    return [...new Set([...marks, ...handles.map(({ id }) => id), ...Object.keys(this.#demo.params)])];
+  }
+
   /** Lights up the marks of these names, as pointing at their symbols does. */
   light(names: Iterable<string>): void {
     this.#player?.light(new Set(names));
@@ -155,7 +169,7 @@ export class CurveDemo extends HTMLElement {
     const load = Object.hasOwn(CurveDemo.registry, id) ? CurveDemo.registry[id] : undefined;
     try {
       if (!load) return this.#sayOnly((lang) => `${WORDS.noDemo[lang]} ${id}`);
-      this.#demo = (await load().catch(load)).default;
+      this.#demo = withGuess((await load().catch(load)).default, this.getAttribute("data-guess"));
       if (this.isConnected) this.#come(this.#demo);
     } catch (error) {
       console.error(`Straklatte, ${id}:`, error);
@@ -178,6 +192,8 @@ export class CurveDemo extends HTMLElement {
       options: frameOptions((name) => this.#ask(name), this),
       embedded: CurveDemo.embedded,
       changed: (change) => this.#tell(change),
+      pointed: (names) =>
+        this.dispatchEvent(new CustomEvent("curve-demo-point", { detail: { names }, bubbles: true })),
     });
     this.#player = player;
     if (problems.length > 0) player.report(problems);

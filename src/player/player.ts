@@ -12,6 +12,7 @@ import { createHandleLayer } from "./handle-layer.ts";
 import { listen } from "./input.ts";
 import type { Mover } from "./mover.ts";
 import { createPencil } from "./pencil.ts";
+import { listenToPointing } from "./pointing.ts";
 import { showProblems } from "./problems.ts";
 import { createReadout } from "./readout.ts";
 import { createSpaceControls } from "./space-controls.ts";
@@ -26,7 +27,7 @@ export interface Player {
   readonly mover: Mover;
   readonly figure: Figure;
   report(problems: readonly Problem[]): void;
-  /** Marks lit up because their symbol is pointed at. */
+  /** Marks and sliders lit up because their symbol is pointed at. */
   light(names: ReadonlySet<string>): void;
   /** The theme or the fonts have changed. */
   redraw(): void;
@@ -43,6 +44,8 @@ export interface PlayerSetup {
   readonly embedded: boolean;
   /** Called at most once a frame. */
   changed(change: Change): void;
+  /** What is pointed at in the figure, by name; called when that changes. */
+  pointed(names: readonly string[]): void;
 }
 
 /** Builds a figure into a shadow root and draws it at once; from then on it follows its state. */
@@ -59,6 +62,7 @@ export function createPlayer(setup: PlayerSetup): Player {
   const pencil = pencilOf();
   const shell = buildShell();
   const input = listen(shell, core, stage, layer, pencil);
+  listenToPointing(shell, core, stage, layer, setup.pointed);
   const space = createSpaceControls(core, stage, layer);
   const rows = createControls(core, {
     fullscreen: () => void enterFullscreen(),
@@ -175,6 +179,8 @@ export function createPlayer(setup: PlayerSetup): Player {
       ),
     light(names) {
       lit = names;
+      for (const slider of rows.bar.querySelectorAll<HTMLElement>("[data-param]"))
+        slider.classList.toggle("is-lit", names.has(slider.dataset.param!));
       request();
     },
     redraw: request,

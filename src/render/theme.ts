@@ -1,4 +1,6 @@
 // The face of the theme: colours, looks of roles, and both as style sheets.
+
+export { indexCss } from "./index-css.ts";
 export { type Paint, paintOf } from "./paint.ts";
 export {
   forcedPalette,

@@ -28,7 +28,7 @@ export function virtualStyles(): Plugin {
       const own = workshop ?? (await buildWorkshop(root));
       const theme = await own.load<typeof import("../../render/theme.ts")>(`/${THEME}`);
       if (own !== workshop) await own.close();
-      return theme.themeCss() + theme.figureCss("curve-demo > svg");
+      return theme.themeCss() + theme.indexCss() + theme.figureCss("curve-demo > svg");
     },
   };
 }
