@@ -41,8 +41,8 @@ function insertOnce({ degree, knots, controlPoints }: BSpline, t: number): BSpli
   const d = controlPoints;
   const refined = [...d, d[0]!].map((_, i) => {
     // a_i: 1 where d_i* = d_i is before all that changes, 0 where d_i* = d_{i−1} is behind it.
-    if (i < d.length && knots[i + degree]! <= t) return d[i]!;
-    if (i === d.length || knots[i]! >= t) return d[i - 1]!;
+    if (knots[i + degree]! <= t) return d[i]!;
+    if (knots[i]! >= t) return d[i - 1]!;
     return lerp(d[i - 1]!, d[i]!, (t - knots[i]!) / (knots[i + degree]! - knots[i]!));
   });
   // There is a greater knot: t itself occurs at most p times, and p knots follow the end of the domain.

@@ -66,6 +66,7 @@ describe("knots", () => {
   test("makers", () => {
     expect(clampedKnots(2, 5)).toEqual([0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1]);
     expect(clampedKnots(3, 4, [2, 5])).toEqual([2, 2, 2, 2, 5, 5, 5, 5]);
+    expect(clampedKnots(1, 4, [2, 8])).toEqual([2, 2, 4, 6, 8, 8]);
     expect(clampedKnots(0, 3, [0, 0.3]).at(-1)).toBe(0.3);
     expect(uniformKnots(3, 5)).toEqual([-3, -2, -1, 0, 1, 2, 3, 4, 5]);
     expect(knotDomain(3, uniformKnots(3, 5))).toEqual([0, 2]);
