@@ -35,7 +35,7 @@ export function unitTangent(curve: Curve, t: number, side: Side = sideAt(curve, 
   const zero = zeroSpeed(curve, t);
   for (let r = 1; r <= 8; r++) {
     const vector = curve.derivative(t, r);
-    if (norm(vector) * length ** (r - 1) <= zero || norm(vector) === 0) continue;
+    if (norm(vector) * length ** (r - 1) <= zero) continue;
     return normalize(side === "left" && r % 2 === 0 ? scale(vector, -1) : vector);
   }
   return null;

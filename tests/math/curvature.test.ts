@@ -107,6 +107,49 @@ test("the torsion of a twisted cubic (t, t², t³): 3 / (1 + 9t² + 9t⁴)", () 
   }
 });
 
+test("null up to rounding, at every size and over every domain", () => {
+  for (const size of [1e-6, 1, 1e6]) {
+    for (const domain of [
+      [0, 1],
+      [1000, 1001],
+      [0, 1e-3],
+    ] as const) {
+      const place = (b: readonly Point[]) =>
+        bezierCurve(
+          b.map((p) => p.map((x) => size * (0.1 + 0.3 * x))),
+          domain,
+        );
+      const middle = (domain[0] + domain[1]) / 2;
+      const cusp = place([
+        [0, 0, 0],
+        [2, 2, 0],
+        [0, 2, 0],
+        [2, 0, 0],
+      ]);
+      expect([curvature(cusp, middle), torsion(cusp, middle)]).toEqual([null, null]);
+      expect(
+        torsion(
+          place([
+            [0, 0, 0],
+            [1, 2, 3],
+            [2, 4, 6],
+            [3, 6, 9],
+          ]),
+          middle,
+        ),
+      ).toBeNull();
+      // A bend of 1e-6 of the length is a bend.
+      const faint = place([
+        [0, 0, 0],
+        [1, 0, 0],
+        [2, 1e-6, 0],
+        [3, 3e-6, 1e-6],
+      ]);
+      expect(torsion(faint, domain[0])).not.toBeNull();
+    }
+  }
+});
+
 test("null where there is none", () => {
   const cusp = bezierCurve([
     [0, 0],

@@ -95,6 +95,47 @@ test("a point has no direction", () => {
   }
 });
 
+test("derivatives that vanish up to rounding only, over a domain far from 0", () => {
+  const decimals = cusp.map((p) => p.map((x) => 0.1 + 0.3 * x));
+  for (const domain of [
+    [0, 1],
+    [1000, 1001],
+  ] as const) {
+    const middle = (domain[0] + domain[1]) / 2;
+    for (const curve of [bezierCurve(decimals, domain), bare(decimals, domain)]) {
+      expect(isRegular(curve, middle)).toBe(false);
+      expect(unitTangent(curve, middle)![1]).toBeCloseTo(-1, 9);
+      expect(unitTangent(curve, middle, "left")![1]).toBeCloseTo(1, 9);
+    }
+    // Slow, but not still: 1e-7 of the top speed is a direction.
+    const slow: Point[] = [
+      [0, 0],
+      [1e-7, 0],
+      [0, 1],
+      [1, 1],
+    ];
+    for (const curve of [bezierCurve(slow, domain), bare(slow, domain)]) {
+      expect(unitTangent(curve, domain[0])).toEqual([1, 0]);
+    }
+  }
+});
+
+test("the known speed decides where the first derivatives do not tell", () => {
+  const still: Point[] = [...new Array<Point>(8).fill([1, 1]), [1, 3]];
+  expect(unitTangent(bezierCurve(still), 0)).toEqual([0, 1]);
+  const longer: Point[] = [...new Array<Point>(9).fill([1, 1]), [1, 3]];
+  expect(unitTangent(bezierCurve(longer), 0)).toBeNull();
+  const faint = bezierCurve([
+    [0, 0],
+    [1e-13, 0],
+    [2e-13, 0],
+    [3e-13, 0],
+    [0, 1],
+  ]);
+  expect(isRegular(faint, 0)).toBe(false);
+  expect(unitTangent(faint, 0)![1]).toBeCloseTo(1, 9);
+});
+
 test("what counts as zero depends neither on the size nor on the domain", () => {
   for (const factor of [1e-9, 1, 1e9]) {
     for (const domain of [
