@@ -24,7 +24,6 @@ export function figureOf(demo: Demo, state: State): Figure {
   const values = demo.values(state);
   const views = viewsIn(demo, state);
   const handles = handlesOf(demo, state, views);
-  const description = demo.describe(state, values);
   return {
     state,
     values,
@@ -32,7 +31,11 @@ export function figureOf(demo: Demo, state: State): Figure {
     handles,
     scene: withHandles(demo.scene(state, values), handles),
     readout: demo.readout?.(state, values) ?? [],
-    description: views === demo.views ? description : describeCamera(description, state.camera as Camera),
+    // Only when somebody listens: a drag has no time for sentences.
+    get description() {
+      const said = demo.describe(state, values);
+      return views === demo.views ? said : describeCamera(said, state.camera as Camera);
+    },
   };
 }
 

@@ -116,7 +116,7 @@ export interface Param<T> {
   /** The value between two others, for gliding (0 gives `a`, 1 gives `b`); what cannot glide jumps. */
   between(a: T, b: T, share: number): T;
   handles(id: string, value: T, around: Surroundings): readonly Handle<T>[];
-  fields(id: string, value: T): readonly Field<T>[];
+  fields(id: string, value: T, around: Surroundings): readonly Field<T>[];
   actions(value: T): readonly Action<T>[];
   /** One line for the lecturers' table: the notation and the range. */
   notation(): Words;

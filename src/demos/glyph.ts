@@ -25,6 +25,10 @@ const under = (u: number) => ({
   t: u - Math.min(Math.floor(u), COUNT - 1),
 });
 
+/** The stored points that shape the arc under the pen. */
+const shapingNow = (outline: PointList, { state }: Surroundings) =>
+  arcsOf(outline)[under(Number(state.u)).k]!.from;
+
 const stored = points({
   initial: glyphE.points.map((at) => at.map((x) => x / UNIT)),
   label: { de: "Punkte des Umrisses", en: "Points of the outline" },
@@ -57,13 +61,16 @@ export default defineDemo({
     }),
     outline: {
       ...stored,
-      // Only what shapes the arc under the pen can be grabbed: forty handles would hide the letter.
+      // Only what shapes the arc under the pen can be moved: forty handles would hide the letter.
       handles: (id: string, value: PointList, around: Surroundings) => {
-        const { from } = arcsOf(value)[under(Number(around.state.u)).k]!;
-        return stored
-          .handles(id, value, around)
-          .filter((_, i) => from.includes(i))
-          .map((handle) => ({ ...handle, lettered: false }));
+        const shaping = shapingNow(value, around);
+        const all = stored.handles(id, value, around);
+        return all.filter((_, i) => shaping.includes(i)).map((handle) => ({ ...handle, lettered: false }));
+      },
+      fields: (id: string, value: PointList, around: Surroundings) => {
+        const shaping = shapingNow(value, around);
+        // Two fields a point: x and y.
+        return stored.fields(id, value, around).filter((_, k) => shaping.includes(Math.floor(k / 2)));
       },
     },
   },

@@ -27,14 +27,15 @@ export function createControls(core: Core, actions: ControlActions): Controls {
   const { demo, store, mover, options, embedded, request } = core;
   const { lang } = options;
   const params = Object.entries(demo.params) as [string, Param<unknown>][];
+  const around = () => ({ state: store.state, views: demo.views });
   const fields = (): BoundField[] =>
     params.flatMap(([param, declared]) =>
-      declared.fields(param, store.state[param]).map((field) => ({ param, field })),
+      declared.fields(param, store.state[param], around()).map((field) => ({ param, field })),
     );
 
   const main = params.find(([, param]) => param.primary);
   const mainField = () => {
-    const field = main?.[1].fields(main[0], store.state[main[0]])[0];
+    const field = main?.[1].fields(main[0], store.state[main[0]], around())[0];
     return field?.kind === "number" ? field : null;
   };
   const first = mainField();

@@ -123,6 +123,8 @@ export function createPlayer(setup: PlayerSetup): Player {
   let frame = 0;
   let pending: Change | null = null;
   let broken = false;
+  /** On the way to somewhere: a drag, a glide, play. The description waits for the end. */
+  let moving = false;
 
   function request(): void {
     if (!frame && !broken) frame = requestAnimationFrame(render);
@@ -149,6 +151,7 @@ export function createPlayer(setup: PlayerSetup): Player {
     rows.update();
     space?.update();
     readout.update(figure.readout);
+    if (moving) return;
     const said = figure.description[lang];
     if (description.textContent !== said) description.textContent = said;
   }
@@ -159,6 +162,7 @@ export function createPlayer(setup: PlayerSetup): Player {
   }
 
   core.store.listen((change) => {
+    moving = !change.committed;
     pending = { ...change, committed: change.committed || (pending?.committed ?? false) };
     if (change.committed && change.source === "user") announce(() => core.figure.description[lang], lang);
     request();

@@ -34,7 +34,7 @@ describe.each(params)("parameter %s", (id, param) => {
   });
 
   test("each field puts a value that the parameter accepts", () => {
-    for (const field of param.fields(id, value)) {
+    for (const field of param.fields(id, value, { state: initial, views: sample.views })) {
       const next =
         field.kind === "number"
           ? field.put(field.max)

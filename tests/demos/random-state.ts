@@ -54,7 +54,7 @@ function newValue(
     const view = handle && demo.views[handle.view]!;
     return view && handle.put([between(view.x, x), between(view.y, y)]);
   }
-  const fields = param.fields(id, value);
+  const fields = param.fields(id, value, { state, views: demo.views });
   const field = fields[which % fields.length];
   if (!field) return undefined;
   if (field.kind === "boolean") return field.put(x < 0.5);
