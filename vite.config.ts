@@ -1,16 +1,13 @@
 import { defineConfig } from "vitest/config";
 import { straklatte } from "./src/build/plugin.ts";
+import { panelStyles } from "./src/build/plugins/panel-styles.ts";
 
 const port = Number(process.env.PORT ?? 4173);
 
 export default defineConfig({
   base: "./",
   appType: "mpa",
-  // The package does not export its style sheet.
-  resolve: {
-    alias: [{ find: /^lil-gui\/dist/, replacement: `${import.meta.dirname}/node_modules/lil-gui/dist` }],
-  },
-  plugins: process.env.VITEST ? [] : [straklatte()],
+  plugins: process.env.VITEST ? [panelStyles()] : [straklatte()],
   preview: { port, strictPort: true },
   build: {
     target: "es2022",
@@ -23,6 +20,8 @@ export default defineConfig({
   test: {
     include: ["tests/**/*.test.ts"],
     environment: "node",
+    // Property tests take their time on a small machine.
+    testTimeout: 60_000,
     reporters: ["default", ["json", { outputFile: "reports/unit.json" }]],
   },
 });

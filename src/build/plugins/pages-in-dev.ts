@@ -20,6 +20,10 @@ export function pagesInDev(): Plugin {
     name: "straklatte:dev",
     apply: "serve",
     config: () => ({ optimizeDeps: { entries: Object.values(ENTRIES) } }),
+    // What the pages are made from need not be loaded in the browser: a still picture changes with its demo.
+    hotUpdate({ modules, server }) {
+      if (this.environment.name === "ssr" && modules.length > 0) server.ws.send({ type: "full-reload" });
+    },
     configureServer(server) {
       const { watcher, middlewares, config } = server;
       watcher.on("all", (_, file) => {
