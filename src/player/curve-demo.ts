@@ -7,7 +7,7 @@ import { element } from "./element.ts";
 import { connectEmbed, type Embed } from "./embed.ts";
 import { frameOptions } from "./frame.ts";
 import { watchTheme } from "./palette.ts";
-import { createPlayer, type Player } from "./player.ts";
+import { createPlayer, type Player, type PlayerSetup } from "./player.ts";
 import { printTwin } from "./print-twin.ts";
 import { showProblems } from "./problems.ts";
 import type { Change } from "./store.ts";
@@ -40,6 +40,7 @@ export class CurveDemo extends HTMLElement {
 
   #demo: Demo | undefined;
   #player: Player | undefined;
+  #inSpace: PlayerSetup["inSpace"];
   #own: State = {};
   #near: IntersectionObserver | undefined;
   #attributes: MutationObserver | undefined;
@@ -169,7 +170,13 @@ export class CurveDemo extends HTMLElement {
     const load = Object.hasOwn(CurveDemo.registry, id) ? CurveDemo.registry[id] : undefined;
     try {
       if (!load) return this.#sayOnly((lang) => `${WORDS.noDemo[lang]} ${id}`);
-      this.#demo = withGuess((await load().catch(load)).default, this.getAttribute("data-guess"));
+      const demo = withGuess((await load().catch(load)).default, this.getAttribute("data-guess"));
+      // Looking around in space is loaded with the first figure that does.
+      if (Object.values(demo.views).some((view) => view.space)) {
+        const inSpace = () => import("./space-controls.ts");
+        this.#inSpace ??= (await inSpace().catch(inSpace)).createSpaceControls;
+      }
+      this.#demo = demo;
       if (this.isConnected) this.#come(this.#demo);
     } catch (error) {
       console.error(`Straklatte, ${id}:`, error);
@@ -191,6 +198,7 @@ export class CurveDemo extends HTMLElement {
       own: () => this.#own,
       options: frameOptions((name) => this.#ask(name), this),
       embedded: CurveDemo.embedded,
+      ...(this.#inSpace ? { inSpace: this.#inSpace } : {}),
       changed: (change) => this.#tell(change),
       pointed: (names) =>
         this.dispatchEvent(new CustomEvent("curve-demo-point", { detail: { names }, bubbles: true })),

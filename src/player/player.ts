@@ -15,7 +15,7 @@ import { createPencil } from "./pencil.ts";
 import { listenToPointing } from "./pointing.ts";
 import { showProblems } from "./problems.ts";
 import { createReadout } from "./readout.ts";
-import { createSpaceControls } from "./space-controls.ts";
+import type { createSpaceControls } from "./space-controls.ts";
 import { createStage } from "./stage.ts";
 import type { Change, Store } from "./store.ts";
 import { addPanelStyles } from "./styles.ts";
@@ -42,6 +42,8 @@ export interface PlayerSetup {
   own(): State;
   readonly options: FrameOptions;
   readonly embedded: boolean;
+  /** What a figure needs that looks into space. */
+  readonly inSpace?: typeof createSpaceControls | undefined;
   /** Called at most once a frame. */
   changed(change: Change): void;
   /** What is pointed at in the figure, by name; called when that changes. */
@@ -63,7 +65,7 @@ export function createPlayer(setup: PlayerSetup): Player {
   const shell = buildShell();
   const input = listen(shell, core, stage, layer, pencil);
   listenToPointing(shell, core, stage, layer, setup.pointed);
-  const space = createSpaceControls(core, stage, layer);
+  const space = setup.inSpace?.(core, stage, layer) ?? null;
   const rows = createControls(core, {
     fullscreen: () => void enterFullscreen(),
     nudgeSelected: input.nudgeSelected,

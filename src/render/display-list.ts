@@ -1,7 +1,5 @@
 import { layoutViews, type Views } from "../scene/layout.ts";
 import type { Scene } from "../scene/marks.ts";
-import { project } from "../scene/project.ts";
-import { fitSpace } from "../scene/space.ts";
 import { fitView, type View, type ViewTransform } from "../scene/view.ts";
 import type { Lang } from "../words/words.ts";
 import { drawLabels } from "./draw-labels.ts";
@@ -37,9 +35,11 @@ export function displayList(views: Views, scene: Scene, options: DrawingOptions)
   for (const [id, view] of Object.entries(views)) {
     const { space } = view;
     if (space) {
-      const transform = fitSpace({ ...view, space }, boxes[id]!);
+      const transform = space.fit({ ...view, space }, boxes[id]!);
       transforms[id] = transform;
-      const marks = project(scene[id] ?? [], transform.space, { facets: options.facets ?? STILL_FACETS });
+      const marks = space.project(scene[id] ?? [], transform.space, {
+        facets: options.facets ?? STILL_FACETS,
+      });
       // What is projected already lies in the plane of the picture.
       drawWindow(view, { ...transform.space.plane, space: transform.space }, marks, options, primitives);
       continue;
