@@ -47,7 +47,8 @@ function textFaces(family: string, name: string, style: Face["style"], embed: bo
 function formulaFace(name: string, weight: string, style: Face["style"], embed = false): Face {
   const family = `KaTeX_${name.split("-")[0]}`;
   const file = `katex/dist/fonts/KaTeX_${name}.woff2`;
-  return { family, style, weight, file, range: "", display: "block", embed, first: false };
+  // The two that figures are lettered with are those of nearly every formula: coming late, they would move words.
+  return { family, style, weight, file, range: "", display: "block", embed, first: embed };
 }
 
 /** Every font that a page may ask for. KaTeX's are those of its style sheet. */
