@@ -7,6 +7,8 @@ export const demos: Readonly<Record<string, () => Promise<{ default: Demo }>>> =
   "bezier-patch": () => import("./bezier-patch.ts"),
   "de-casteljau": () => import("./de-casteljau.ts"),
   glyph: () => import("./glyph.ts"),
+  "hermite-basis": () => import("./hermite-basis.ts"),
+  "hermite-segment": () => import("./hermite-segment.ts"),
   "parametric-surface": () => import("./parametric-surface.ts"),
   "surface-tangents": () => import("./surface-tangents.ts"),
   teapot: () => import("./teapot.ts"),
