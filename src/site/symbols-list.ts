@@ -4,8 +4,11 @@ import { type Lighting, livingDemo, readTie } from "./lighting.ts";
 import { putBeside } from "./put-beside.ts";
 import { meaningOf } from "./symbol-meaning.ts";
 
-/** A line of the list, as the build wrote it: how it is spoken, `figure/name` or null, its entry in the glossary. */
-type Entry = readonly [say: string, tie: string | null, entry: number | null];
+/**
+ * A line of the list, as the build wrote it: how it is spoken, `figure/name` or null, its entry in the glossary, and where
+ * its value is if not under its name.
+ */
+type Entry = readonly [say: string, tie: string | null, entry: number | null, value?: string];
 
 /**
  * The button after a formula opens the list of its symbols, with meaning and present value. The arrow keys go through
@@ -73,7 +76,7 @@ function walk(event: KeyboardEvent, list: HTMLElement): void {
   all[(to + all.length) % all.length]!.focus();
 }
 
-function option([say, tie, entry]: Entry, formula: Element, lang: Lang): HTMLElement {
+function option([say, tie, entry, value]: Entry, formula: Element, lang: Lang): HTMLElement {
   const item = document.createElement("li");
   item.setAttribute("role", "option");
   item.tabIndex = -1;
@@ -83,7 +86,7 @@ function option([say, tie, entry]: Entry, formula: Element, lang: Lang): HTMLEle
   eyes.setAttribute("aria-hidden", "true");
   if (symbol?.dataset.index) eyes.dataset.index = symbol.dataset.index;
   const words = [span("spoken", `${say}: `), span("meaning", ...(meaningOf(String(entry)) ?? []))];
-  item.append(eyes, ...words, span("value", presentValue(tie, lang)));
+  item.append(eyes, ...words, span("value", presentValue(value ?? tie, lang)));
   return item;
 }
 

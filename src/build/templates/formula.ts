@@ -13,7 +13,11 @@ export function formula(data: FormulaData): Html {
   const own = data.symbols.length > 0 ? null : data.id;
   const box = `<div${attributes({ class: "formula", id: own, "data-label": label })}>${data.html}</div>`;
   if (data.symbols.length === 0) return box;
-  const list = data.symbols.map(({ say, tie, entry }) => [say, tie, entry]);
+  const list = data.symbols.map(({ say, tie, entry, value }) =>
+    value ? [say, tie, entry, value] : [say, tie, entry],
+  );
+  const glyphs = data.symbols.flatMap(({ glyph }) => glyph ?? []).join("");
+  const hidden = glyphs && `<div class="glyphs" hidden>${glyphs}</div>`;
   const button = `<button${attributes({
     type: "button",
     class: "symbols-button",
@@ -22,5 +26,5 @@ export function formula(data: FormulaData): Html {
     "aria-label": words.symbolsOfFormula,
     "data-symbols": JSON.stringify(list),
   })}>${words.symbols}</button>`;
-  return `<div${attributes({ class: "equation", id: data.id })}>${box}${button}</div>`;
+  return `<div${attributes({ class: "equation", id: data.id })}>${hidden}${box}${button}</div>`;
 }

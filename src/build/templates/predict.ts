@@ -24,8 +24,8 @@ export function predict(data: PredictData): Html {
 ${data.question}</div>
 <fieldset><legend>${words.guess}</legend>
 ${guessing(data)}
-<button type="button" class="commit" disabled>${words.commit}</button>
 </fieldset>
+<button type="button" class="commit" disabled>${words.commit}</button>
 <p class="result" role="status"></p>
 <details class="answer"><summary>${words.answer}</summary>
 ${data.answer}

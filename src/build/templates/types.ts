@@ -219,9 +219,12 @@ export interface FormulaData {
     readonly say: Text;
     /** `figure/name`; null for a symbol that no picture shows. */
     readonly tie: string | null;
-    readonly index: number | null;
     /** Number of its entry in the lesson's glossary; null if it has none. */
     readonly entry: number | null;
+    /** `figure/path` of its value, where that is not found under its name. */
+    readonly value: string | null;
+    /** The symbol as the list shows it, where it does not stand in the formula. */
+    readonly glyph: Html | null;
   }[];
 }
 

@@ -23,6 +23,10 @@ export interface SymbolUse {
   readonly index: number | null;
   /** Number of its entry in the glossary, or null. */
   readonly entry: number | null;
+  /** The symbol by which the glossary knows it, where only a number stands in the formula. */
+  readonly known?: string | null;
+  /** `figure/path` of its value, where that is not found under its name. */
+  readonly value?: string | null;
 }
 
 export interface TexContext {
@@ -202,17 +206,28 @@ export function annotate(source: string, context: TexContext): Annotated {
       const known = [...found.names.names.keys()];
       report(`the figure "${found.figure}" has no "${found.name}" to tie to`, choices(found.name, known));
     }
-    const whole = find(body, 0);
-    const entry = whole && whole.match.length === body.length ? whole.entry.number : null;
     if (!found || !name) return writeTex(body);
+    const whole = find(body, 0);
+    const isSymbol = whole !== null && whole.match.length === body.length;
+    const known = isSymbol ? null : knownAs(found.name, context.glossary);
+    const entry = isSymbol ? whole.entry.number : (known?.entry ?? null);
     const index = found.names.names.get(name)?.index;
-    symbols.push({ tex: writeTex(body), tie: `${found.figure}/${name}`, index: index ?? null, entry });
+    const before = live.length;
     const data = [
       `tie=${found.figure}/${name}`,
       entry && `symbol=${entry}`,
       index !== undefined && `index=${index % 10}`,
     ];
-    const inner = entry ? writeTex(body) : walk(body);
+    const place = symbols.length;
+    const inner = isSymbol ? writeTex(body) : walk(body);
+    symbols.splice(place, 0, {
+      tex: writeTex(body),
+      tie: `${found.figure}/${name}`,
+      index: index ?? null,
+      entry,
+      known: known?.tex ?? null,
+      value: live.length > before ? live[before]!.source : null,
+    });
     return `\\htmlData{${data.filter(Boolean).join()}}{${inner}}`;
   };
   const number = (written: string, picture: string): string => {
@@ -233,6 +248,26 @@ export function annotate(source: string, context: TexContext): Annotated {
   };
 
   return { tex: walk(readTex(source)), symbols, live, problems };
+}
+
+/** The symbol that a name has in the glossary: `points.2` is c_2 where the glossary ties c_i to `points.i`. */
+function knownAs(name: string, glossary: readonly GlossaryEntry[]): { tex: string; entry: number } | null {
+  for (const { tie, pattern, number } of glossary) {
+    const letters = new Map<string, string>();
+    const [form, given] = [tie?.split(".") ?? [], name.split(".")];
+    const fits = (segment: string, k: number) => {
+      if (!/^[ijkr]$/.test(segment)) return segment === given[k];
+      letters.set(segment, given[k]!);
+      return /^\d+$/.test(given[k] ?? "");
+    };
+    if (form.length !== given.length || !form.every(fits)) continue;
+    const tex = pattern.tex.replace(
+      /(?<=[_^{])[ijkr](?![a-z])/g,
+      (letter) => `{${letters.get(letter) ?? letter}}`,
+    );
+    return { tex, entry: number };
+  }
+  return null;
 }
 
 function opensArray(node: TexNode | undefined): boolean {

@@ -6,6 +6,8 @@ export interface LiveNumber {
   /** `figure/path`. */
   readonly source: string;
   readonly digits: number;
+  /** A point is set from its left, a number from its right. */
+  readonly isPoint: boolean;
   /** The text at first. */
   readonly text: string;
   /** Width of the widest text it is to hold, in em of the formula's font. */
@@ -40,10 +42,16 @@ export function liveNumber(
 ): LiveNumber {
   const { digits, widest } = picture;
   if (typeof value === "number") {
-    return { source, digits, text: formatNumber(value, lang, digits, true), room: widthOf(widest) };
+    return {
+      source,
+      digits,
+      isPoint: false,
+      text: formatNumber(value, lang, digits, true),
+      room: widthOf(widest),
+    };
   }
   const all = `(${value.map(() => widest).join("; ")})`;
-  return { source, digits, text: formatPoint(value, lang, digits, true), room: widthOf(all) };
+  return { source, digits, isPoint: true, text: formatPoint(value, lang, digits, true), room: widthOf(all) };
 }
 
 function widthOf(text: string): number {

@@ -7,7 +7,7 @@ import { annotate, type SymbolUse } from "../../tex/annotate.ts";
 import { plainTex, sayTex } from "../../tex/say-tex.ts";
 import { type FormulaMeta, type LessonEnv, lineOf, report } from "../env.ts";
 import { texContext } from "../tex-context.ts";
-import { typesetMarked } from "../typeset.ts";
+import { typeset, typesetMarked } from "../typeset.ts";
 
 /** `$…$` and `$$…$$`, set by KaTeX while the lesson is built; a formula that fails is a problem with its line. */
 export function tex(md: MarkdownIt): void {
@@ -47,14 +47,19 @@ function set(
 
 /** The symbols of a formula as its list shows them: each once. */
 function listed(symbols: readonly SymbolUse[], env: LessonEnv): FormulaData["symbols"] {
-  const all = symbols.map(({ tex, tie, index, entry }) => ({
-    say: sayTex(plainTex(tex), env.lang),
-    tie,
-    index,
-    entry,
-  }));
+  const all = symbols.map(({ tex, tie, index, entry, known = null, value = null }) => {
+    const own = plainTex(tex).trim();
+    // Where there is but a number, the list names what it is the number of.
+    const glyph = own === "" && known && tie ? typeset(marked(tie, index, known), false, env.lang) : null;
+    const html = glyph?.ok ? glyph.html : null;
+    return { say: sayTex(own || (known ?? ""), env.lang), tie, entry, value, glyph: html };
+  });
   const same = (a: (typeof all)[number], b: (typeof all)[number]) => a.say === b.say && a.tie === b.tie;
   return all.filter((one, i) => all.findIndex((other) => same(one, other)) === i);
+}
+
+function marked(tie: string, index: number | null, tex: string): string {
+  return `\\htmlData{tie=${tie}${index === null ? "" : `,index=${index % 10}`}}{${tex}}`;
 }
 
 /** The parser takes everything up to the end of the lesson for a formula that is not closed. */
