@@ -20,46 +20,37 @@ const relativeZero = 1e-11;
  */
 export function bernsteinRoots(coefficients: readonly number[]): Root[] {
   checkNumbers("coefficients", coefficients);
-  const largest = coefficients.reduce((max, c) => Math.max(max, Math.abs(c)), 0);
-  if (largest === 0 || coefficients.length === 1) return [];
-  return rootsOf(coefficients.map((c) => c / largest));
+  return rootsOf(coefficients);
 }
 
 function rootsOf(coefficients: readonly number[]): Root[] {
   const n = coefficients.length - 1;
-  const scale = coefficients.reduce((max, c) => Math.max(max, Math.abs(c)), 0);
-  if (n === 0 || scale === 0) return [];
-  const f = (t: number): number => evaluate(coefficients, t);
-  const derivative = coefficients.slice(1).map((c, i) => n * (c - coefficients[i]!));
-  const inner = rootsOf(derivative)
-    .map((root) => root.t)
-    .filter((t) => t > 0 && t < 1);
-  const stops = [0, ...inner, 1].map((t) => {
-    const value = f(t);
-    return { t, value, sign: Math.abs(value) <= relativeZero * scale ? 0 : Math.sign(value) };
+  const largest = Math.max(...coefficients.map(Math.abs));
+  if (n === 0 || largest === 0) return [];
+  const b = coefficients.map((c) => c / largest);
+  const derivative = b.slice(1).map((c, i) => n * (c - b[i]!));
+  const stops = [0, ...rootsOf(derivative).map((root) => root.t), 1].map((t) => {
+    const value = evaluate(b, t);
+    return { t, sign: Math.abs(value) <= relativeZero ? 0 : Math.sign(value) };
   });
 
   const roots: Root[] = [];
-  let before = stops[0]!.sign; // the last sign other than 0
+  let before = 0; // the last sign other than 0
   for (let i = 0; i < stops.length; i++) {
     const { t, sign } = stops[i]!;
     if (sign !== 0) {
-      const previous = stops[i - 1];
-      if (previous && previous.sign === -sign) {
-        roots.push({ t: findRoot(f, previous.t, t, 0), signChange: true });
+      if (i > 0 && stops[i - 1]!.sign === -sign) {
+        roots.push({ t: findRoot((x) => evaluate(b, x), stops[i - 1]!.t, t, 0), signChange: true });
       }
       before = sign;
       continue;
     }
-    // A run of stops that count as zero is one zero, at the smallest value.
-    let end = i;
-    while (stops[end + 1]?.sign === 0) end++;
-    const run = stops.slice(i, end + 1);
-    const best = run.reduce((a, b) => (Math.abs(b.value) < Math.abs(a.value) ? b : a));
-    const after = stops[end + 1]?.sign ?? 0;
-    const t0 = i === 0 ? 0 : end === stops.length - 1 ? 1 : best.t;
-    roots.push({ t: t0, signChange: before * after < 0 });
-    i = end;
+    // A run of stops that count as zero is one zero, in its middle or at an end of [0, 1].
+    const first = t;
+    while (stops[i + 1]?.sign === 0) i++;
+    const last = stops[i]!.t;
+    const middle = first === 0 ? 0 : last === 1 ? 1 : (first + last) / 2;
+    roots.push({ t: middle, signChange: before * (stops[i + 1]?.sign ?? 0) < 0 });
   }
   return roots;
 }

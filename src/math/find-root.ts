@@ -1,7 +1,7 @@
 import { checkNumber } from "./check.ts";
 
 /**
- * A zero of a continuous function between a and b, where it changes its sign: |result − zero| ≤ accuracy.
+ * A zero of a function between a and b, where it changes its sign: |result − zero| ≤ accuracy.
  *
  * `f(a)` and `f(b)` must not have the same strict sign. Secant steps on a bracket that always holds a change of sign,
  * with a bisection whenever three steps have not halved the bracket: at most about three times the steps of bisection,
@@ -21,16 +21,16 @@ export function findRoot(f: (t: number) => number, a: number, b: number, accurac
   }
   let width = Math.abs(b - a);
   for (let step = 1; ; step++) {
-    // The ends' mean weighted by the values (the secant), kept inside; or the plain mean.
     const mean = a + (b - a) / 2;
     if (Math.abs(b - a) <= accuracy || mean === a || mean === b) return mean;
+    // The mean of the ends weighted by the values (the secant); the plain one if a value is infinite.
     let t = a - (fa / (fb - fa)) * (b - a);
+    if (!Number.isFinite(t)) t = mean;
     if (step % 3 === 0) {
       const late = Math.abs(b - a) > width / 2;
       if (late) t = mean;
       width = Math.abs(b - a) / (late ? 2 : 1);
     }
-    if (!(t > Math.min(a, b) && t < Math.max(a, b))) t = mean;
     const ft = f(t);
     if (ft === 0) return t;
     // Illinois' rule: the end that stays counts half, so that the secant does not stick to it.

@@ -52,6 +52,21 @@ describe("bernsteinRoots", () => {
     expect(bernsteinRoots(withRoots(0, 0.5, 1)).map((root) => root.signChange)).toEqual([false, true, false]);
   });
 
+  test("zeros too close to be told apart are one, in their middle", () => {
+    const three = bernsteinRoots(withRoots(0.5 - 1e-5, 0.5, 0.5 + 1e-5));
+    expect(three).toHaveLength(1);
+    expect(three[0]!.signChange).toBe(true);
+    expect(three[0]!.t).toBeCloseTo(0.5, 9);
+    const two = bernsteinRoots(withRoots(0.3 - 1e-7, 0.3 + 1e-7, 0.8));
+    expect(two.map((root) => root.signChange)).toEqual([false, true]);
+    expect(two[0]!.t).toBeCloseTo(0.3, 9);
+    const atEnds = bernsteinRoots(withRoots(1e-7, 1e-7, 1e-7, 1 - 1e-7, 1 - 1e-7, 1 - 1e-7));
+    expect(atEnds).toEqual([
+      { t: 0, signChange: false },
+      { t: 1, signChange: false },
+    ]);
+  });
+
   test("zeros outside [0, 1] and none at all", () => {
     expect(bernsteinRoots(withRoots(-0.1, 1.1))).toEqual([]);
     expect(bernsteinRoots([1, -0.2, 1])).toEqual([]);

@@ -64,6 +64,27 @@ test("one in an S, none in an arch, a straight line, a cubic's cusp and a parabo
   expect(found[1]).toBeCloseTo(0.5, 12);
 });
 
+test("a faint S has its inflection and a straight curve has none, at every size and far from the origin", () => {
+  for (const size of [1e-6, 1, 1e6]) {
+    for (const shift of [0, 300]) {
+      const place = (b: Point[]): Point[] => b.map((p) => p.map((x) => size * (x + shift)));
+      const faint = bezierInflections(
+        place([
+          [0, 0],
+          [1, 1e-5],
+          [3, -1e-5],
+          [4, 0],
+        ]),
+      );
+      expect(faint).toHaveLength(1);
+      expect(faint[0]).toBeCloseTo(0.5, 5);
+      const line = place([0, 1, 3, 3.5, 7].map((x) => [0.1 * x, 0.3 * x]));
+      expect(bezierInflections(line)).toEqual([]);
+      expect(bezierInflections(place([0, 1, 2, 3].map((x) => [0.1 * x, 0.3 * x])))).toEqual([]);
+    }
+  }
+});
+
 test("the curvature vanishes there and turns to the other side", () => {
   forAll([points(4, 6, 2)], (b) => {
     const curve = bezierCurve(b);

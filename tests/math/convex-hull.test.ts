@@ -82,6 +82,33 @@ test("collinear up to the rounding of decimals, far from the origin", () => {
   expect(convexHull(line)).toEqual([line[0], line[8]]);
 });
 
+test("a corner of one part in a million is one, at every size; one of 1e-12 is not", () => {
+  for (const size of [1e-6, 1, 1e6]) {
+    const place = (list: Point[]): Point[] => list.map((p) => p.map((x) => size * x));
+    const corner = place([
+      [0, 0],
+      [0.1, -1e-6],
+      [5, 0],
+      [2, 3],
+    ]);
+    expect(convexHull(corner)).toEqual(corner);
+    const straight = place([
+      [0, 0],
+      [0.1, -1e-13],
+      [5, 0],
+      [2, 3],
+    ]);
+    expect(convexHull(straight)).toHaveLength(3);
+  }
+  const square = [
+    [1e9, 1e9],
+    [1e9 + 1e-3, 1e9],
+    [1e9 + 1e-3, 1e9 + 1e-3],
+    [1e9, 1e9 + 1e-3],
+  ];
+  expect(convexHull(square)).toHaveLength(4);
+});
+
 test("the caller's list keeps its order", () => {
   const list: Point[] = [
     [2, 0],

@@ -14,6 +14,8 @@ test("finds the change of sign of functions of all shapes", () => {
     (x) => Math.expm1(20 * x),
     (x) => -Math.atan(1e6 * x),
     (x) => Math.cbrt(x),
+    (x) => (x < 0 ? -Infinity : Infinity),
+    (x) => (x < 0 ? -1 : Infinity),
   ];
   forAll([inner, fc.constantFrom(...shapes), fc.boolean()], (root, shape, flip) => {
     const f = (t: number) => shape(t - root);
@@ -25,6 +27,24 @@ test("finds the change of sign of functions of all shapes", () => {
 test("an accuracy of 0 reaches neighbouring doubles", () => {
   const root = findRoot((t) => t * t - 2, 0, 2, 0);
   expect(Math.abs(root - Math.SQRT2)).toBeLessThanOrEqual(2 ** -52);
+});
+
+test("over an interval far from 0 and one around it, the work is the same", () => {
+  const work = [-1, 0, 1e6].map((start) => {
+    let calls = 0;
+    const root = findRoot(
+      (t) => {
+        calls++;
+        return Math.expm1(9 * (t - start - 0.7));
+      },
+      start,
+      start + 1,
+      1e-6,
+    );
+    expect(Math.abs(root - start - 0.7)).toBeLessThan(1e-6);
+    return calls;
+  });
+  expect(Math.max(...work) - Math.min(...work)).toBeLessThanOrEqual(1);
 });
 
 test("an end that is a zero is the answer", () => {
