@@ -234,7 +234,7 @@ test.describe("on narrow screens and with large type nothing is lost", () => {
   });
 });
 
-test("nothing moves by itself while the lesson is opened and read", async ({ page }) => {
+test("nothing moves by itself while the lesson is read and its figures come alive", async ({ page }) => {
   await page.addInitScript(() => {
     const shifts: number[] = [];
     Object.assign(window, { shifts });
@@ -248,6 +248,12 @@ test("nothing moves by itself while the lesson is opened and read", async ({ pag
   for (const width of [1400, 390]) {
     await page.setViewportSize({ width, height: 900 });
     await page.goto(LESSON);
+    // What fonts do on their way here is a matter of the network, measured elsewhere.
+    await page.evaluate(async () => {
+      await document.fonts.ready;
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 100)));
+      (window as unknown as { shifts: number[] }).shifts.length = 0;
+    });
     await page.mouse.move(width / 2, 450);
     const end = await page.evaluate(() => document.documentElement.scrollHeight);
     for (let y = 0; y < end; y += 700) {
@@ -257,7 +263,7 @@ test("nothing moves by itself while the lesson is opened and read", async ({ pag
     const sum = await page.evaluate(() =>
       (window as unknown as { shifts: number[] }).shifts.reduce((all, one) => all + one, 0),
     );
-    expect(sum, `${width} px`).toBeLessThanOrEqual(0.01);
+    expect(sum, `${width} px`).toBeLessThanOrEqual(0.003);
   }
 });
 
