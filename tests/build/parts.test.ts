@@ -1,9 +1,14 @@
 import { createHash } from "node:crypto";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { expect, test } from "vitest";
 import { parts } from "../../lessons/toc.ts";
 import { contentSecurityPolicy } from "../../src/build/csp.ts";
-import { gatherCharacters, inRange } from "../../src/build/fonts/characters.ts";
+import { gatherCharacters, inRange, writeRange } from "../../src/build/fonts/characters.ts";
 import { FACES, faceRule } from "../../src/build/fonts/faces.ts";
+import { fontCharacters } from "../../src/build/fonts/font-characters.ts";
+import { cutFonts } from "../../src/build/fonts/subset.ts";
 import { licencesText, packagesOf } from "../../src/build/licences.ts";
 import { rootOf } from "../../src/build/pages/page.ts";
 import { sourceLines } from "../../src/build/source-lines.ts";
@@ -51,6 +56,31 @@ test("a face is asked for the characters of its range only", () => {
     false,
   ]);
   expect(inRange(0x3b1, "")).toBe(true);
+});
+
+test("a range names exactly the characters that a cut font holds", () => {
+  expect(writeRange([0x20, 0x21, 0x22, 0x41, 0xe4, 0xe5])).toBe("U+20-22,U+41,U+E4-E5");
+  expect([0x21, 0x23, 0x41, 0xe5].map((code) => inRange(code, "U+20-22,U+41,U+E4-E5"))).toEqual([
+    true,
+    false,
+    true,
+    true,
+  ]);
+});
+
+test("a font that lacks the characters asked of it is not shipped, and what is shipped can be read", async () => {
+  const faces = FACES.filter(({ family, style }) => family === "Source Sans 3" && style === "normal");
+  const set = (chars: string) => new Set([...chars].map((char) => char.codePointAt(0)!));
+  const characters = { text: set("aä −ᵤ"), formulas: set("") };
+  const cut = await cutFonts(ROOT, faces, characters);
+  expect(cut.map(({ face }) => [face.file.includes("-latin-wght"), face.range])).toEqual([
+    [true, "U+20,U+61,U+E4,U+2212"],
+  ]);
+  const cache = mkdtempSync(join(tmpdir(), "fonts-"));
+  expect([...(await fontCharacters(cut[0]!.data, cache))].sort((a, b) => a - b)).toEqual([
+    0x20, 0x61, 0xe4, 0x2212,
+  ]);
+  rmSync(cache, { recursive: true });
 });
 
 test("text does without a font that comes late, a formula waits for it", () => {

@@ -52,3 +52,15 @@ export function inRange(code: number, range: string): boolean {
     return code >= parseInt(from!, 16) && code <= parseInt(to!, 16);
   });
 }
+
+/** Ascending codes as a `unicode-range`: U+20-7E,U+C4. */
+export function writeRange(codes: readonly number[]): string {
+  const parts: string[] = [];
+  for (let i = 0; i < codes.length; i++) {
+    const from = codes[i]!;
+    while (codes[i + 1] === codes[i]! + 1) i++;
+    const hex = (code: number) => code.toString(16).toUpperCase();
+    parts.push(codes[i] === from ? `U+${hex(from)}` : `U+${hex(from)}-${hex(codes[i]!)}`);
+  }
+  return parts.join(",");
+}

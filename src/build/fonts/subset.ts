@@ -2,10 +2,11 @@ import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import subsetFont from "subset-font";
-import { type Characters, inRange } from "./characters.ts";
+import { type Characters, inRange, writeRange } from "./characters.ts";
 import type { Face } from "./faces.ts";
+import { fontCharacters } from "./font-characters.ts";
 
-/** A font cut down to what the site shows; null if it shows nothing in it. */
+/** A font cut down to what the site shows, its `range` to what it still holds. */
 export interface CutFont {
   readonly face: Face;
   readonly data: Uint8Array;
@@ -40,21 +41,24 @@ export async function cutFonts(
   mkdirSync(cache, { recursive: true });
   const cut: CutFont[] = [];
   for (const face of faces) {
+    const original = readFileSync(join(root, "node_modules", face.file));
+    const has = await fontCharacters(original, cache);
     const all = face.display === "block" ? characters.formulas : characters.text;
-    const codes = [...all].filter((code) => inRange(code, face.range)).sort((a, b) => a - b);
-    if (codes.length === 0) continue;
-    cut.push({ face, data: await cutFont(join(root, "node_modules", face.file), cache, face, codes) });
+    const codes = [...all].filter((code) => has.has(code) && inRange(code, face.range)).sort((a, b) => a - b);
+    // A space alone is no reason to ship a font, and browsers refuse one without any letter.
+    if (codes.every((code) => code <= 32)) continue;
+    const data = await cutFont(original, cache, face, codes);
+    cut.push({ face: face.range ? { ...face, range: writeRange(codes) } : face, data });
   }
   return cut;
 }
 
 async function cutFont(
-  file: string,
+  original: Uint8Array,
   cache: string,
   face: Face,
   codes: readonly number[],
 ): Promise<Uint8Array> {
-  const original = readFileSync(file);
   const key = createHash("sha256")
     .update(original)
     .update(JSON.stringify([codes, face.weights, FEATURES]))

@@ -1,10 +1,14 @@
 import type { Page } from "@playwright/test";
 
+/** What a graphics card made of software says about its speed; no page can help it. */
+const NOISE = /GL Driver Message \(OpenGL, Performance/;
+
 /** Everything of a visit that should not be: errors, warnings of the console, foreign requests, violations. */
 export async function watch(page: Page, origin: string): Promise<readonly string[]> {
   const seen: string[] = [];
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") {
+    const serious = message.type() === "error" || message.type() === "warning";
+    if (serious && !NOISE.test(message.text())) {
       seen.push(`console: ${message.text()}`);
     }
   });
