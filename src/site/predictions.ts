@@ -6,13 +6,13 @@ import { demoOf } from "./player.ts";
 
 const WORDS = {
   de: {
-    hit: "Getroffen.",
-    miss: "Nicht getroffen.",
+    hit: "Stimmt.",
+    miss: "Stimmt nicht ganz.",
     number: (guess: string, right: string) => `Ihre Zahl: ${guess}. Richtig ist ${right}.`,
     place: (distance: string) => `Ihr Tipp liegt ${distance} Einheiten neben dem Punkt.`,
   },
   en: {
-    hit: "You have hit it.",
+    hit: "Right.",
     miss: "Not quite.",
     number: (guess: string, right: string) => `Your number: ${guess}. Right is ${right}.`,
     place: (distance: string) => `Your guess is ${distance} units away from the point.`,
@@ -30,10 +30,11 @@ export function prediction(block: HTMLElement, lang: Lang): void {
   const inputs = [...block.querySelectorAll("input")];
   const result = block.querySelector<HTMLElement>(".result")!;
   const answer = block.querySelector<HTMLDetailsElement>("details.answer")!;
+  result.tabIndex = -1;
   const answers = figure ? readHash(`#${figure}?${reveal}`) : null;
 
   const say = (hit: boolean, more: string) => {
-    result.textContent = `${hit ? words.hit : words.miss} ${more}`;
+    result.textContent = `${hit ? words.hit : words.miss} ${more}`.trim();
   };
   const judgeNumber = () => {
     const guess = parseNumber(inputs[0]!.value)!;
@@ -70,12 +71,15 @@ export function prediction(block: HTMLElement, lang: Lang): void {
       button.click();
   });
   button.addEventListener("click", async () => {
+    if (kind === "choice") say(block.querySelector(".right :checked") !== null, "");
     if (kind === "number") judgeNumber();
     if (kind === "place" && answers) judgePlace((await demoOf(answers.figure))!);
     for (const input of inputs) input.disabled = true;
     block.classList.add("is-committed");
     answer.open = true;
-    answer.querySelector("summary")!.focus({ preventScroll: true });
+    // The button goes; the focus must not fall out of the page. Not onto the summary: the key that was pressed here would
+    // close it at once.
+    result.focus({ preventScroll: true });
   });
   answer.addEventListener("toggle", () => {
     if (answer.open && answers) void show(answers);
