@@ -56,7 +56,9 @@ const ALLOWED = [
   ],
 ] as const;
 
-const ROOMS = "math words data scene demo demos exercises identities render render/dom player site".split(" ");
+const ROOMS = "math words data scene demo demos exercises identities render render/dom player site".split(
+  " ",
+);
 
 describe("the walls between the rooms", () => {
   const folder = mkdtempSync(join(tmpdir(), "walls-"));
@@ -107,7 +109,8 @@ describe("the walls between the rooms", () => {
 describe("what no rule about imports sees", () => {
   const pure = sources("src").filter(
     ({ path }) =>
-      /^src\/(math|data|words|scene|demo|demos|exercises|identities)\//.test(path) || /^src\/render\/[^/]+$/.test(path),
+      /^src\/(math|data|words|scene|demo|demos|exercises|identities)\//.test(path) ||
+      /^src\/render\/[^/]+$/.test(path),
   );
 
   test("pure rooms know neither chance nor time nor the console", () => {
