@@ -1,6 +1,8 @@
+import { createServer } from "node:http";
 import { gzipSync } from "node:zlib";
 import { expect, test } from "@playwright/test";
 import { lessons, pages } from "./support/dist.ts";
+import { freePort } from "./support/free-port.ts";
 import { readThrough, watch, watchShifts } from "./support/watch.ts";
 
 test("there are pages, and lessons among them", () => {
@@ -81,4 +83,25 @@ test("what is not there is answered by a page that needs nothing else", async ({
 test("a folder without its slash leads to the page, with its query", async ({ page, baseURL }) => {
   await page.goto("embed/bezier-curve?t=0.25");
   expect(page.url()).toBe(`${baseURL}embed/bezier-curve/?t=0.25`);
+});
+
+test("embed.js makes a figure on a page of another origin", async ({ page, baseURL }) => {
+  const seen: string[] = [];
+  page.on("pageerror", (error) => seen.push(error.message));
+  page.on("requestfailed", (request) => seen.push(request.url()));
+  const host = createServer((_, response) => {
+    response.setHeader("Content-Type", "text/html");
+    response.end(`<!doctype html><title>slides</title><script type="module" src="${baseURL}embed.js"></script>
+      <curve-demo demo="bezier-curve" t="0.25" lang="en" style="display:block;width:600px"></curve-demo>`);
+  });
+  const port = await freePort();
+  await new Promise<void>((resolve) => host.listen(port, "127.0.0.1", resolve));
+  await page.goto(`http://127.0.0.1:${port}/`);
+  await page.locator("curve-demo[data-ready]").waitFor();
+  const state = await page
+    .locator("curve-demo")
+    .evaluate((figure) => (figure as HTMLElement & { state: unknown }).state);
+  expect(state).toMatchObject({ t: 0.25 });
+  expect(seen).toEqual([]);
+  host.close();
 });

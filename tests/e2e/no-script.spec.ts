@@ -14,8 +14,10 @@ async function expectComplete(page: Page, path: string): Promise<void> {
     return {
       headings: [...main.querySelectorAll("h1, h2, h3")].map(size),
       formulas: main.querySelectorAll(".katex-mathml math").length,
-      // Captions for paper show on paper only.
-      boxes: [...main.querySelectorAll(".katex-html")].filter((box) => !box.closest(".on-paper")).map(size),
+      // Captions for paper, answers, spare symbols of live formulas show when they are asked for.
+      boxes: [...main.querySelectorAll(".katex-html")]
+        .filter((box) => !box.closest(".on-paper, details:not([open]), [popover], .glyphs"))
+        .map(size),
       figures: [...main.querySelectorAll("figure:has(curve-demo)")].map((figure) => ({
         picture: size(figure.querySelector("curve-demo > svg")),
         strokes: figure.querySelectorAll("curve-demo > svg :is(path, circle, rect, image)").length,
