@@ -1,4 +1,3 @@
-import type { Words } from "../words/words.ts";
 import { coordinates, indices } from "./teapot-numbers.ts";
 
 /*
@@ -12,18 +11,17 @@ import { coordinates, indices } from "./teapot-numbers.ts";
 /** A part of the teapot: the patches from one index up to, not including, the next. */
 export interface TeapotPart {
   readonly id: "rim" | "body" | "handle" | "spout" | "lid" | "bottom";
-  readonly name: Words;
   readonly from: number;
   readonly to: number;
 }
 
 export const teapotParts: readonly TeapotPart[] = [
-  { id: "rim", name: { de: "Rand", en: "rim" }, from: 0, to: 4 },
-  { id: "body", name: { de: "Bauch", en: "body" }, from: 4, to: 12 },
-  { id: "handle", name: { de: "Henkel", en: "handle" }, from: 12, to: 16 },
-  { id: "spout", name: { de: "Tülle", en: "spout" }, from: 16, to: 20 },
-  { id: "lid", name: { de: "Deckel", en: "lid" }, from: 20, to: 28 },
-  { id: "bottom", name: { de: "Boden", en: "bottom" }, from: 28, to: 32 },
+  { id: "rim", from: 0, to: 4 },
+  { id: "body", from: 4, to: 12 },
+  { id: "handle", from: 12, to: 16 },
+  { id: "spout", from: 16, to: 20 },
+  { id: "lid", from: 20, to: 28 },
+  { id: "bottom", from: 28, to: 32 },
 ];
 
 /**

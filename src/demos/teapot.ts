@@ -10,7 +10,16 @@ import { spaceView } from "../scene/space.ts";
 import { axisArrows, ground, patch } from "../scene/surfaces.ts";
 import { domainMarks, domainView } from "../scene/uv-domain.ts";
 import { formatNumber, formatPoint } from "../words/numbers.ts";
-import { inBoth } from "../words/words.ts";
+import { inBoth, type Words } from "../words/words.ts";
+
+const PART_NAMES: Readonly<Record<(typeof teapotParts)[number]["id"], Words>> = {
+  rim: { de: "Rand", en: "rim" },
+  body: { de: "Bauch", en: "body" },
+  handle: { de: "Henkel", en: "handle" },
+  spout: { de: "Tülle", en: "spout" },
+  lid: { de: "Deckel", en: "lid" },
+  bottom: { de: "Boden", en: "bottom" },
+};
 
 /** Quads along each side of a patch. */
 const STEPS = 16;
@@ -121,13 +130,14 @@ export default defineDemo({
     };
   },
   readout: ({ patch: chosen }, { s, normal }) => [
-    { label: wording(partOf(chosen).name), value: chosen, digits: 0 },
+    { label: wording(PART_NAMES[partOf(chosen).id]), value: chosen, digits: 0 },
     { label: { base: "S", args: ["u", "v"] }, value: s },
     { label: symbol("n"), value: normal },
   ],
   describe: ({ patch: chosen, show }, { u, v, s, normal }) =>
     inBoth((lang) => {
-      const { name, from, to } = partOf(chosen);
+      const { id, from, to } = partOf(chosen);
+      const name = PART_NAMES[id];
       const at = `u = ${formatNumber(u, lang)}, v = ${formatNumber(v, lang)}`;
       if (lang === "de") {
         const seen = {
