@@ -7,6 +7,8 @@ interface Live {
   readonly text: Text;
   readonly path: readonly string[];
   readonly digits: number;
+  /** Signs for which there is room. */
+  readonly room: number;
   /** The formula that must be seen for the number to follow at once; null for what is only heard. */
   readonly formula: Element | null;
 }
@@ -25,6 +27,7 @@ export function liveNumbers(main: HTMLElement, lang: Lang): void {
       text: element.firstChild as Text,
       path: name.split("."),
       digits: Number(element.getAttribute("data-digits")),
+      room: Number(element.getAttribute("data-room") ?? Infinity),
       formula: element.closest("math") ? null : element.closest(".formula, .katex"),
     });
   }
@@ -34,9 +37,12 @@ export function liveNumbers(main: HTMLElement, lang: Lang): void {
   const stale = new Map<Element, CurveDemo>();
   const write = (demo: CurveDemo, numbers: readonly Live[]) => {
     const { values } = demo;
-    for (const { text, path, digits } of numbers) {
+    for (const { text, path, digits, room } of numbers) {
       const now = written(valueAt(values, path), digits, lang);
-      if (text.data !== now) text.data = now;
+      if (text.data === now) continue;
+      const [was, is] = [text.data.length > room, now.length > room];
+      if (was !== is) text.parentElement!.classList.toggle("is-wide", is);
+      text.data = now;
     }
   };
   const numbersIn = (formula: Element) =>

@@ -146,9 +146,9 @@ describe("live numbers", () => {
   test("stand with their first value in room for the longest, in the language of the page", () => {
     const markup = (lang: Lang) => html(`${CURVE}\n$\\live{weights.1}{0.000}$`, lang);
     expect(markup("de")).toContain(
-      '<span class="live mord" data-live="fig-a/weights.1" data-digits="3" style="min-width:2.28em">0,432</span>',
+      '<span class="live mord" data-live="fig-a/weights.1" data-digits="3" data-room="5" style="--room:2.28em">0,432</span>',
     );
-    expect(markup("en")).toMatch(/data-digits="3" style="min-width:2.28em">0.432</);
+    expect(markup("en")).toMatch(/data-digits="3" data-room="5" style="--room:2.28em">0.432</);
     expect(markup("en")).toContain('<mn data-live="fig-a/weights.1" data-digits="3">0.432</mn>');
     expect(eyes(markup("de"))).toContain("0,432");
   });

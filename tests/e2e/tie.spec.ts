@@ -477,7 +477,8 @@ test("a drag with a live 4 × 4 matrix and four live formulas stays within its b
   await expect(page.locator(".live").last()).toBeInViewport();
 
   const client = await page.context().newCDPSession(page);
-  await client.send("Performance.enable");
+  // Time that the main thread really ran: other programs of the machine do not count.
+  await client.send("Performance.enable", { timeDomain: "threadTicks" });
   const work = async () => {
     const { metrics } = await client.send("Performance.getMetrics");
     return 1000 * metrics.find(({ name }) => name === "TaskDuration")!.value;
@@ -508,7 +509,7 @@ test("a drag with a live 4 × 4 matrix and four live formulas stays within its b
   for (let run = 0; run < 3; run++) {
     const idle = await moves(false);
     const dragged = await moves(true);
-    runs.push(p95(dragged) - idle[Math.floor(idle.length / 2)]!);
+    runs.push(p95(dragged) - p95(idle));
   }
   const median = runs.sort((a, b) => a - b)[1]!;
   test

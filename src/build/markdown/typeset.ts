@@ -55,8 +55,8 @@ function fill(html: string, live: readonly LiveNumber[]): string {
     /<span class="enclosing([^"]*)" data-live="(\d+)"><span class="mord text[^"]*">(?:<span class="mord[^"]*">)?@\d+@(?:<\/span>)?<\/span><\/span>/g;
   const filled = html
     .replace(eyes, (_, classes: string, k: string) => {
-      const { source, digits, isPoint, text, room } = live[Number(k)]!;
-      return `<span class="live${isPoint ? " point" : ""} mord${classes}" data-live="${source}" data-digits="${digits}" style="min-width:${room}em">${text}</span>`;
+      const { source, digits, isPoint, text, signs, room } = live[Number(k)]!;
+      return `<span class="live${isPoint ? " point" : ""} mord${classes}" data-live="${source}" data-digits="${digits}" data-room="${signs}" style="--room:${room}em">${text}</span>`;
     })
     .replace(/<mtext>@(\d+)@<\/mtext>/g, (_, k: string) => {
       const { source, digits, text } = live[Number(k)]!;

@@ -10,7 +10,8 @@ export interface LiveNumber {
   readonly isPoint: boolean;
   /** The text at first. */
   readonly text: string;
-  /** Width of the widest text it is to hold, in em of the formula's font. */
+  /** The widest text it is to hold: so many signs, and their width in em of the formula's font. */
+  readonly signs: number;
   readonly room: number;
 }
 
@@ -47,11 +48,19 @@ export function liveNumber(
       digits,
       isPoint: false,
       text: formatNumber(value, lang, digits, true),
+      signs: widest.length,
       room: widthOf(widest),
     };
   }
   const all = `(${value.map(() => widest).join("; ")})`;
-  return { source, digits, isPoint: true, text: formatPoint(value, lang, digits, true), room: widthOf(all) };
+  return {
+    source,
+    digits,
+    isPoint: true,
+    text: formatPoint(value, lang, digits, true),
+    signs: all.length,
+    room: widthOf(all),
+  };
 }
 
 function widthOf(text: string): number {
