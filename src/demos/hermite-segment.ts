@@ -141,10 +141,11 @@ export default defineDemo({
       ],
     };
   },
-  readout: ({ length }, { p, derivative }) => [
+  readout: ({ length, family }, { p, derivative }) => [
     { label: { base: "p", args: ["t"] }, value: p },
-    { label: { base: "p", prime: 1, args: ["t"] }, value: derivative },
-    { label: { base: { de: "Länge von m₀", en: "length of m₀" }, style: "text" }, value: length },
+    family === "length"
+      ? { label: { base: { de: "Länge von m₀", en: "length of m₀" }, style: "text" }, value: length }
+      : { label: { base: "p", prime: 1, args: ["t"] }, value: derivative },
   ],
   describe: ({ p0, m0, m1, p1, t, family, sum, bezier }, { p, weights, c, kind, parameters }) =>
     inBoth((lang) => {

@@ -77,8 +77,8 @@ export function summands({ p0, m0, m1, p1 }: Segment, [h0, h1, h2, h3]: readonly
   return [
     polyline("chord", "control-polygon", [p0, p1], { name: "chord" }),
     point("foot", "derived", foot, { size: "small", hollow: true, name: "foot" }),
-    ...share("share-m0", foot, bend, 1),
-    ...share("share-m1", bend, to, 2),
+    ...share("weights.1", foot, bend, 1),
+    ...share("weights.2", bend, to, 2),
   ];
 }
 
