@@ -47,7 +47,8 @@ module.exports = {
     ...walls,
     {
       name: "pure-rooms-need-nothing",
-      comment: "mathematics, data, words, scenes, demos, exercises and identities import no package and no part of Node",
+      comment:
+        "mathematics, data, words, scenes, demos, exercises and identities import no package and no part of Node",
       severity: "error",
       from: { path: "^src/(math|data|words|scene|demo|demos|exercises|identities)/" },
       to: {
