@@ -1,5 +1,6 @@
 import { checkNumber, checkPositive } from "./check.ts";
 import type { Curve } from "./curve.ts";
+import { findRoot } from "./find-root.ts";
 import { integrate } from "./integrate.ts";
 import { norm } from "./point.ts";
 
@@ -46,23 +47,12 @@ export function arclength(
 export function parameterAtLength(curve: Curve, length: number, accuracy: number): number {
   checkNumber("length", length);
   checkPositive("accuracy", accuracy);
-  let [low, high] = curve.domain;
-  if (length <= 0) return low;
-  if (length >= arclength(curve, accuracy / 4) - accuracy / 4) return high;
-  let t = low + (high - low) / 2;
-  let before = 0; // the length up to `low`
-  // Newton's method for s(t) = length, held in a bracket that bisection shrinks when Newton leaves it or takes too long.
-  for (let step = 0; ; step++) {
-    const reached = before + arclength(curve, accuracy / 200, low, t);
-    const error = reached - length;
-    if (Math.abs(error) <= accuracy / 2 || !(t > low && t < high)) return t;
-    if (error < 0) {
-      low = t;
-      before = reached;
-    } else {
-      high = t;
-    }
-    const newton = t - error / norm(curve.derivative(t));
-    t = step < 40 && newton > low && newton < high ? newton : low + (high - low) / 2;
-  }
+  const [start, end] = curve.domain;
+  if (length <= 0) return start;
+  /** How much longer the curve is up to t; 0 if that is within the accuracy. */
+  const excess = (t: number): number => {
+    const difference = arclength(curve, accuracy / 4, start, t) - length;
+    return Math.abs(difference) <= accuracy / 2 ? 0 : difference;
+  };
+  return excess(end) <= 0 ? end : findRoot(excess, start, end, 0);
 }

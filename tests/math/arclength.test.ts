@@ -97,9 +97,17 @@ test("breaks are respected", () => {
   };
   arclength(counted, 1e-12);
   expect(calls).toBe(2 * 7 * 13);
-  calls = 0;
-  arclength(counted, 1e-12, 0, 2);
-  expect(calls).toBe(7 * 13);
+  const work = (from: number, to: number): number => {
+    calls = 0;
+    arclength(counted, 1e-12, from, to);
+    return calls;
+  };
+  expect(work(0, 2)).toBe(7 * 13);
+  expect(work(-1, 0)).toBe(7 * 13);
+  expect(work(-1, -0.5)).toBe(7 * 13);
+  expect(work(2, -1)).toBe(2 * 7 * 13);
+  expect(arclength(corner, 1e-12, 2, -1)).toBeCloseTo(-expected, 13);
+  expect(arclength(corner, 1e-12, -0.5, 0.5)).toBeCloseTo(0.5 * Math.sqrt(10) + 0.5 * Math.SQRT2, 13);
 });
 
 test("the inverse gives the parameter back", () => {
@@ -111,6 +119,36 @@ test("the inverse gives the parameter back", () => {
     const t = parameterAtLength(curve, length, accuracy);
     expect(Math.abs(arclength(curve, accuracy / 100, 0, t) - length)).toBeLessThanOrEqual(1.02 * accuracy);
   });
+});
+
+test("the inverse takes a few steps, fewer for a coarser accuracy", () => {
+  const curve = bezierCurve(
+    [
+      [0, 0],
+      [1, 3],
+      [4, 3],
+      [5, 0],
+    ],
+    [2, 4],
+  );
+  const whole = arclength(curve, 1e-12);
+  const work = [1e-1, 1e-3, 1e-9].map((accuracy) => {
+    let calls = 0;
+    const counted: Curve = {
+      ...curve,
+      derivative: (t, r) => {
+        calls++;
+        return curve.derivative(t, r);
+      },
+    };
+    const t = parameterAtLength(counted, 0.3 * whole, accuracy);
+    expect(Math.abs(arclength(curve, 1e-12, 2, t) - 0.3 * whole)).toBeLessThan(accuracy);
+    return calls / 91;
+  });
+  expect(work[0]).toBeLessThan(8);
+  expect(work[0]).toBeLessThan(work[1]!);
+  expect(work[1]).toBeLessThan(work[2]!);
+  expect(work[2]).toBeLessThan(40);
 });
 
 test("the inverse at the ends, beyond them, over another domain and past a cusp", () => {

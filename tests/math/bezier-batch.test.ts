@@ -47,6 +47,32 @@ test("points agree with de Casteljau's construction, and end exactly", () => {
   });
 });
 
+test("cubics, the case with formulas of its own, in every dimension", () => {
+  for (const dimension of [1, 2, 3, 4]) {
+    forAll([points(4, 4, dimension), unit], (b, t) => {
+      const out = new Float64Array(dimension);
+      bezierPointInto(out, toFlat(b), dimension, t);
+      expect(distance([...out], bezierPoint(b, t))).toBeLessThan(1e-12 * size(b));
+      bezierPointsInto(out, toFlat(b), dimension, [t]);
+      expect(distance([...out], bezierPoint(b, t))).toBeLessThan(1e-12 * size(b));
+    });
+  }
+});
+
+test("nothing is written beside the points", () => {
+  for (const b of [
+    cubic,
+    [
+      [0, 0],
+      [2, 2],
+    ],
+  ]) {
+    const out = new Float64Array(7).fill(-7);
+    bezierPointsInto(out, toFlat(b), 2, [0.1, 0.2]);
+    expect([...out].slice(4)).toEqual([-7, -7, -7]);
+  }
+});
+
 test("derivatives agree too", () => {
   forAll([curve, unit], (b, t) => {
     const dimension = b[0]!.length;
