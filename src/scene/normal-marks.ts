@@ -16,13 +16,13 @@ export function normalMarks(
   if (normal) {
     const end = tip(normal);
     return [
-      arrow("normal", "tangent", at, end, { name: "n" }),
+      arrow("normal", "tangent", at, end, { name: "normal" }),
       label("normal-label", "tangent", end, symbol("n"), { toward: normal }),
     ];
   }
   const none = wording({ de: "hier gibt es keine Normale", en: "no normal here" });
   return [
     ...(limit ? [polyline("normal-limit", "ghost", [at, tip(limit)], { name: "limit" })] : []),
-    label("no-normal", "bad", at, none, { name: "n" }),
+    label("no-normal", "bad", at, none, { name: "normal" }),
   ];
 }
