@@ -27,7 +27,8 @@ export function livingDemo(figure: string): CurveDemo | null {
 /** The names in a figure that a tie means: `points.*` is all points, `points.n-1` the last but one. */
 export function meant(name: string, all: readonly string[]): readonly string[] {
   const segments = name.split(".");
-  const last = /^n(?:-(\d+))?$/.exec(segments.at(-1)!);
+  // A name of its own may be n, the normal.
+  const last = segments.length > 1 ? /^n(?:-(\d+))?$/.exec(segments.at(-1)!) : null;
   if (!last && !segments.includes("*")) return [name];
   const like = all.filter((one) => {
     const parts = one.split(".");

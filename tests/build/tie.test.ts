@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { compileLesson, type Workbench } from "../../src/build/compile-lesson.ts";
 import bezierCurve from "../../src/demos/bezier-curve.ts";
+import bezierPatch from "../../src/demos/bezier-patch.ts";
 import deCasteljauDemo from "../../src/demos/de-casteljau.ts";
 import type { Lang } from "../../src/words/words.ts";
 import { FIRST, bench as other } from "./fixture.ts";
@@ -9,6 +10,7 @@ const bench: Workbench = {
   ...other,
   demos: new Map([
     ["bezier-curve", bezierCurve],
+    ["bezier-patch", bezierPatch],
     ["de-casteljau", deCasteljauDemo],
   ]),
 };
@@ -265,4 +267,12 @@ describe("predictions", () => {
   test.each(BROKEN)("%s stops the build", (_, text, message) => {
     expect(compile(text).problems.map((one) => one.message)).toEqual([expect.stringMatching(message)]);
   });
+});
+
+test("a net’s symbols have two indices, its points one", () => {
+  const patch = "::: demo bezier-patch {#fig-n normal=1}\nN.\n:::\n";
+  const list = "::: symbols\n- $c_{ij}$ `points.i.j`: point\n:::\n";
+  const markup = html(`${patch}\n$c_{12} + c_{ij} + c_{i+1,j} + c_{00} + \\tie{normal}{n}$\n\n${list}`);
+  const names = ["points.6", "points.*", "points.*", "points.0", "normal"].map((name) => `fig-n/${name}`);
+  expect(ties(markup).slice(0, 5)).toEqual(names);
 });

@@ -27,4 +27,5 @@ test("a star means all of them, n the last, however many there are", () => {
   expect(meant("b.*.0", ALL)).toEqual(["b.1.0", "b.2.0"]);
   expect(meant("b.*.*", ALL)).toEqual(["b.1.0", "b.1.1", "b.2.0"]);
   expect(meant("q.n", ALL)).toEqual([]);
+  expect(meant("n", ALL)).toEqual(["n"]);
 });

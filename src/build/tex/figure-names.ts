@@ -1,4 +1,4 @@
-import { figureOf } from "../../demo/figure.ts";
+import { handlesOf } from "../../demo/handles.ts";
 import type { Demo, Value } from "../../demo/index.ts";
 import type { Param, State } from "../../demo/param.ts";
 import { changed } from "../../demo/state.ts";
@@ -21,6 +21,18 @@ export interface FigureNames {
  * and in the states that the text leads to; parameters; computed values and their entries.
  */
 export function figureNames(demo: Demo, own: State, patches: readonly State[]): FigureNames {
+  const known = made.get(demo) ?? new Map<string, FigureNames>();
+  made.set(demo, known);
+  const key = JSON.stringify([own, patches]);
+  const names = known.get(key) ?? gather(demo, own, patches);
+  known.set(key, names);
+  return names;
+}
+
+/** The names of figures seen so far: both languages of a lesson have the same ones. */
+const made = new WeakMap<Demo, Map<string, FigureNames>>();
+
+function gather(demo: Demo, own: State, patches: readonly State[]): FigureNames {
   const names = new Map<string, NamedThing>();
   const add = (name: string, thing: NamedThing) => {
     const before = names.get(name);
@@ -32,11 +44,11 @@ export function figureNames(demo: Demo, own: State, patches: readonly State[]): 
     ...[...Object.values(demo.states ?? {}), ...patches].map((p) => changed(demo, own, p as State)),
   ];
   for (const state of states) {
-    const { scene, handles, values } = figureOf(demo, state);
-    for (const mark of Object.values(scene).flat()) {
+    const values = demo.values(state);
+    for (const mark of Object.values(demo.scene(state, values)).flat()) {
       if (mark.name !== undefined) add(mark.name, { seen: true, ...indexOf(mark) });
     }
-    for (const handle of handles) add(handle.id, { seen: true, ...indexOf(handle) });
+    for (const handle of handlesOf(demo, state)) add(handle.id, { seen: true, ...indexOf(handle) });
     addValues(values, "", 3, add);
     addValues(state as Readonly<Record<string, Value>>, "", 3, add);
   }

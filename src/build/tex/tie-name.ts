@@ -22,7 +22,7 @@ export function tieName(
   const flat = flattened(segments, value);
   const name = flat.join(".");
   const known = [...names].filter(([, thing]) => values || thing.seen).map(([key]) => key);
-  if (flat.some((segment) => /^(\*|n(-\d+)?)$/.test(segment))) {
+  if (flat.some((segment, k) => isMany(segment, k))) {
     return known.some((key) => matches(flat, key.split("."))) ? name : null;
   }
   return known.includes(name) ? name : null;
@@ -44,11 +44,14 @@ function flattened(segments: readonly string[], value: FigureNames["value"]): re
   return [param!, String(Number(i) * (rows[0] as unknown[]).length + Number(j))];
 }
 
+/** A name of its own may be n, the normal; behind a point, n is the last one. */
+function isMany(segment: string, place: number): boolean {
+  return place > 0 && /^(\*|n(-\d+)?)$/.test(segment);
+}
+
 function matches(pattern: readonly string[], name: readonly string[]): boolean {
   return (
     pattern.length === name.length &&
-    pattern.every((segment, k) =>
-      /^(\*|n(-\d+)?)$/.test(segment) ? /^\d+$/.test(name[k]!) : segment === name[k],
-    )
+    pattern.every((segment, k) => (isMany(segment, k) ? /^\d+$/.test(name[k]!) : segment === name[k]))
   );
 }
