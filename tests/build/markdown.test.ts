@@ -72,7 +72,7 @@ describe("figures", () => {
 describe("links", () => {
   test("to a state are ordinary links to the figure", () => {
     const markup = html(`Siehe [[ganz *oben*]](demo:fig-a?t=1).\n\n${FIGURE}`);
-    expect(markup).toContain('<a class="state-link" href="#fig-a?t=1">ganz <em>oben</em></a>.');
+    expect(markup).toContain('<a class="state-link" href="#fig-a?t=1">ganz <em>oben</em><span class="unseen"> (in der Figur)</span></a>.');
   });
 
   test("to a named state say what it is, so that the address can be read anywhere", () => {
@@ -118,7 +118,7 @@ describe("blocks", () => {
 
   test("stand within each other, within lists, and show colons in code", () => {
     expect(html("::: note\n::: example\na\n:::\n:::\nb").replace(/\s+/g, "")).toMatch(
-      /class="blocknote".*class="blockexample".*<p>a<\/p><\/div><\/aside><p>b<\/p>$/,
+      /class="blocknote".*class="blockexample".*<p>a<\/p><\/div><\/div><p>b<\/p>$/,
     );
     expect(html("- one\n\n  ::: note\n  a\n  :::\n- two")).toMatch(/<li>.*block note.*<\/li>\n<li>/s);
     expect(html("::: note\n```\n:::\n```\n:::")).toMatch(/<code>:::\n<\/code>/);
