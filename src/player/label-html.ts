@@ -34,7 +34,7 @@ export function labelHtml(label: Label, lang: Lang): HTMLElement {
   const math = label.style !== "text";
   const root = element("span", { class: math ? "math" : "" });
   root.append(math ? element("i", {}, baseOf(label, lang)) : baseOf(label, lang));
-  if (label.prime) root.append("′".repeat(label.prime));
+  if (label.prime) root.append(element("sup", { class: "prime" }, "′".repeat(label.prime)));
   if (label.sub || label.sup) root.append(scripts(label));
   const args = argsOf(label, lang);
   // Letters among the arguments are variables: p(t).
