@@ -11,12 +11,15 @@ export interface HermiteName {
   readonly index: number;
 }
 
+/** The last entry of the palette: of twelve polynomials only the flattest ones share theirs. */
+const LAST = 9;
+
 /** The polynomials of order m as `src/math` counts them, H_{0,0} … H_{0,m}, H_{1,0} … H_{1,m}. */
 export function hermiteNames(m: number): HermiteName[] {
   const orders = Array.from({ length: m + 1 }, (_, k) => k);
   return [
     ...orders.map((k) => ({ i: 0 as const, k, index: k })),
-    ...orders.map((k) => ({ i: 1 as const, k, index: 2 * m + 1 - k })),
+    ...orders.map((k) => ({ i: 1 as const, k, index: Math.min(2 * m + 1, LAST) - k })),
   ];
 }
 
