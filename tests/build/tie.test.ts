@@ -129,8 +129,8 @@ describe("the glossary", () => {
   test("does not tie what no picture shows", () => {
     expect(tied("n")).toEqual([]);
     expect(tied("c_9")).toEqual([]);
-    // Weights are computed there, but not drawn.
-    expect(tied("B_i^n", LEVELS)).toEqual([]);
+    // Weights are computed there, but not drawn; another figure draws them.
+    expect(tied("B_i^n + c_0", LEVELS)).toEqual(["fig-y/weights.*", "fig-b/points.0"]);
   });
 
   test("tells the meaning in any case, and stands in the page as a list", () => {

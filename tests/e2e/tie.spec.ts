@@ -205,6 +205,43 @@ test.describe("formula and picture of the lesson on Bézier curves", () => {
   });
 });
 
+test("every c_ij, S_u, S_v and n in a displayed formula of the lesson on surfaces is tied, and lights what is shown", async ({
+  page,
+}) => {
+  await page.goto("en/surfaces/");
+  const symbols = await page.evaluate(() => {
+    const entries = new Map<string, string>();
+    for (const row of document.querySelectorAll(".symbols dl > div"))
+      entries.set(row.id.replace("symbol-", ""), row.querySelector("dt annotation")!.textContent!);
+    return [...document.querySelectorAll<HTMLElement>(".formula .katex-html [data-symbol]")].map((symbol) => [
+      entries.get(symbol.dataset.symbol!) ?? "",
+      symbol.dataset.tie ?? null,
+    ]);
+  });
+  for (const tex of ["c_{ij}", "S_u", "S_v"]) {
+    const found = symbols.filter(([symbol]) => symbol === tex);
+    expect(found.length, tex).toBeGreaterThan(1);
+    expect(found.filter(([, tie]) => tie === null)).toEqual([]);
+  }
+  const normal = page.locator('#eq-normal [data-tie="fig-tangents/normal"]').first();
+  const demo = await figure(page, "fig-tangents");
+  const asked = await noteLight(demo);
+  const names = await demo.evaluate((element) => (element as LivingDemo).names);
+  for (const [symbol, name] of [
+    [normal, "normal"],
+    [page.locator('#eq-normal [data-tie="fig-tangents/su"]').first(), "su"],
+    [page.locator('#eq-normal [data-tie="fig-tangents/sv"]').first(), "sv"],
+  ] as const) {
+    await symbol.dispatchEvent("pointerover", { bubbles: true, pointerType: "mouse" });
+    expect(await asked()).toEqual([name]);
+    expect(names).toContain(name);
+  }
+  const patch = await figure(page, "fig-patch");
+  await patch.locator('[data-handle="points.5"]').focus();
+  // All c_ij of its formula, whichever they are, mean this one as well.
+  await expect.poll(async () => (await lit(page, "#eq-bicubic")).length).toBeGreaterThan(0);
+});
+
 test("the live triangle shows the numbers of de Casteljau, in both languages, for the ears after the drag", async ({
   page,
 }) => {

@@ -1,16 +1,19 @@
 import type Token from "markdown-it/lib/token.mjs";
 import type { TexContext } from "../tex/annotate.ts";
 import { type FigureNames, figureNames } from "../tex/figure-names.ts";
-import { type FormulaMeta, type LessonEnv, lineOf } from "./env.ts";
+import { type FormulaMeta, type LessonEnv, type LessonFigure, lineOf } from "./env.ts";
 
 /** What a formula's symbols may be tied to, at its place in the text. */
 export function texContext(token: Token, env: LessonEnv): TexContext {
   const meta = token.meta as FormulaMeta | null;
+  const line = lineOf(token);
+  const figure = meta?.figure ?? nearestFigure(line, env);
+  const away = (one: LessonFigure) => (one.id === figure ? -1 : Math.abs(one.line - line));
   return {
     lang: env.lang,
     glossary: env.glossary,
-    figure: meta?.figure ?? nearestFigure(lineOf(token), env),
-    figures: env.figures.map(({ id }) => id),
+    figure,
+    figures: [...env.figures].sort((a, b) => away(a) - away(b)).map(({ id }) => id),
     names: (id) => namesOf(id, env),
   };
 }

@@ -34,6 +34,7 @@ export interface TexContext {
   readonly glossary: readonly GlossaryEntry[];
   /** The figure that names without one belong to; null if the lesson has none. */
   readonly figure: string | null;
+  /** All figures of the lesson, that one first, the others by their distance from the formula. */
   readonly figures: readonly string[];
   names(figure: string): FigureNames | null;
 }
@@ -156,14 +157,13 @@ export function annotate(source: string, context: TexContext): Annotated {
     return null;
   };
   const glossary = (entry: GlossaryEntry, match: SymbolMatch, body: readonly TexNode[]): string => {
-    const names = context.figure === null ? null : context.names(context.figure);
-    const name = !entry.tie || !names ? null : tieName(entry.tie, match.letters, names);
-    return wrap(
-      body,
-      name && `${context.figure}/${name}`,
-      entry.number,
-      name === null ? null : names?.names.get(name)?.index,
-    );
+    // What the formula's own figure does not show, another one near by may.
+    for (const figure of entry.tie ? context.figures : []) {
+      const names = context.names(figure);
+      const name = names && tieName(entry.tie!, match.letters, names);
+      if (name) return wrap(body, `${figure}/${name}`, entry.number, names.names.get(name)?.index);
+    }
+    return wrap(body, null, entry.number, null);
   };
   /** Symbols within a symbol, the t of p(t), stay symbols of their own. */
   const wrap = (
