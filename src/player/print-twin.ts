@@ -6,6 +6,9 @@ import { svgDom } from "../render/dom/svg-dom.ts";
 import { svgTree } from "../render/svg-tree.ts";
 import type { Lang } from "../words/words.ts";
 
+/** About how many facets a printed surface has: paper is finer than a still picture in the page. */
+const FACETS = 2600;
+
 /** Width of the printed picture, in drawing units. */
 const WIDTH = 720;
 
@@ -24,6 +27,7 @@ export function printTwin(
       width: WIDTH,
       height: WIDTH * figureBox(demo).wide,
       lang,
+      facets: FACETS,
     });
     const picture = svgDom(svgTree(drawing, { title: figure.description[lang] }), document);
     const old = host.querySelector(":scope > svg");

@@ -20,7 +20,7 @@ export interface DrawingOptions {
 }
 
 /** Enough facets for a still picture. */
-const STILL_FACETS = 1300;
+const STILL_FACETS = 1000;
 
 const NONE: ReadonlySet<string> = new Set();
 

@@ -4,6 +4,10 @@ import type { Palette } from "./palette.ts";
 import type { FacetsPrimitive } from "./primitives.ts";
 import type { SvgNode } from "./svg-node.ts";
 
+/** Coordinates are counted in halves of a pixel. */
+const UNIT = 0.5;
+/** A rim in the facet's own colour closes the hair lines between neighbours. */
+const RIM = 0.8;
 /** Tones of a shaded side in a page, where the theme mixes the colours. */
 const TONE_COUNT = 24;
 
@@ -30,7 +34,12 @@ export function facetsNode({ facets }: FacetsPrimitive, colours: Palette | undef
   flush();
   return {
     tag: "g",
-    attributes: { class: "facets", "stroke-width": 0.8, "stroke-linejoin": "round" },
+    attributes: {
+      class: "facets",
+      transform: `scale(${UNIT})`,
+      "stroke-width": RIM / UNIT,
+      "stroke-linejoin": "round",
+    },
     children,
   };
 }
@@ -58,18 +67,17 @@ function hex(rgb: readonly number[]): string {
   return `#${rgb.map((x) => x.toString(16).padStart(2, "0")).join("")}`;
 }
 
-/** A closed outline in relative steps with one decimal: short, and finer than any screen. */
+/** A closed outline in relative steps of half a pixel: whole numbers are short, and neighbours round alike. */
 function outline(corners: Facet["corners"]): string {
   let text = "";
   let [lastX, lastY] = [0, 0];
   corners.forEach(([x, y], k) => {
-    const [px, py] = [Math.round(x! * 10), Math.round(y! * 10)];
-    text += `${k === 0 ? "M" : k === 1 ? "l" : " "}${tenth(px - lastX)} ${tenth(py - lastY)}`;
+    const [px, py] = [Math.round(x! / UNIT), Math.round(y! / UNIT)];
+    text += `${k === 0 ? "M" : k === 1 ? "l" : spaced(px - lastX)}${px - lastX}${spaced(py - lastY)}${py - lastY}`;
     [lastX, lastY] = [px, py];
   });
   return `${text}z`;
 }
 
-function tenth(value: number): string {
-  return String(value / 10);
-}
+/** A minus needs no space before it. */
+const spaced = (value: number) => (value < 0 ? "" : " ");

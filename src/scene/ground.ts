@@ -3,14 +3,12 @@ import { stepFor, strides } from "./facets.ts";
 import type { GroundMark, Mark, PatchMark, PathStep, XY } from "./marks.ts";
 import type { SpaceTransform } from "./space.ts";
 
-/** The shadow is one flat tone: a coarse outline serves. */
-const SHADOW_CELLS = 64;
-
 /** The ground as lines of the picture, with the shadow that the surfaces throw straight down, seen from above. */
 export function projectGround(
   ground: GroundMark,
   patches: readonly PatchMark[],
   { project, axes }: SpaceTransform,
+  shadowCells: number,
 ): Mark[] {
   const { key, z } = ground;
   const flat = (x: number, y: number): XY => project([x, y, z]).slice(0, 2);
@@ -23,7 +21,7 @@ export function projectGround(
   }
   const grid: Mark = { kind: "path", key, role: "grid", steps: lines };
   if (axes.eye[2]! <= 1e-9 || patches.length === 0) return [grid];
-  const steps = patches.flatMap((patch) => shadowSteps(patch, stepFor(patches, SHADOW_CELLS), flat));
+  const steps = patches.flatMap((patch) => shadowSteps(patch, stepFor(patches, shadowCells), flat));
   return [grid, { kind: "path", key: `${key}-shadow`, role: "shadow", steps, paint: "fill" }];
 }
 

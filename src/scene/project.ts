@@ -10,6 +10,9 @@ export interface ProjectOptions {
   readonly facets: number;
 }
 
+/** Cells of the shadow on the ground, one flat tone, where the surface itself is drawn finely. */
+const LIVE_SHADOW = 600;
+
 /** How strongly what lies behind a surface still shows. */
 const BEHIND = 0.32;
 
@@ -25,8 +28,9 @@ export function project(marks: readonly Mark[], space: SpaceTransform, options: 
   const samples = patches.map((patch) => projectSamples(patch, space));
   const behindBy = occlusion(patches, samples);
   const isHidden: IsHidden = (x, y, depth) => behindBy(x, y, depth) > 0;
+  const shadowCells = options.facets === 0 ? LIVE_SHADOW : Math.max(64, options.facets / 8);
   const grounds = marks.filter((mark): mark is GroundMark => mark.kind === "ground");
-  const ground = grounds.flatMap((one) => projectGround(one, patches, space));
+  const ground = grounds.flatMap((one) => projectGround(one, patches, space, shadowCells));
   const surface: FacetsMark[] =
     patches.length === 0
       ? []

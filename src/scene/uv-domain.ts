@@ -7,7 +7,7 @@ import type { View } from "./view.ts";
 export function domainView(options: Partial<View> = {}): View {
   return {
     label: { de: "Parameterbereich", en: "Parameter domain" },
-    x: [-0.22, 1.14],
+    x: [-0.32, 1.12],
     y: [-0.26, 1.14],
     height: 0.3,
     narrowHeight: 0.52,
@@ -50,9 +50,9 @@ export function domainMarks(
     text("u-from", 0, -0.12, ends.u[0]),
     text("u-to", 1, -0.12, ends.u[1]),
     text("u-name", 0.5, -0.12, symbol("u")),
-    text("v-from", -0.11, 0, ends.v[0]),
-    text("v-to", -0.11, 1, ends.v[1]),
-    text("v-name", -0.11, 0.5, symbol("v")),
+    text("v-from", -0.17, 0, ends.v[0]),
+    text("v-to", -0.17, 1, ends.v[1]),
+    text("v-name", -0.17, 0.5, symbol("v")),
     ...(handle ? [] : [point("domain-place", "curve", [u, v])]),
   ];
 }
