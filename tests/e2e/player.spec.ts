@@ -84,7 +84,7 @@ const reachedBy: Record<string, (page: Page) => Promise<Locator>> = {
   link: async (page) => {
     await page.goto("/en/bezier/");
     const id = await page.locator("figure:has(> curve-demo[demo=bezier-curve])").first().getAttribute("id");
-    await page.goto(`/en/bezier/#${id}?${QUERY}&hull=1&weights=1`);
+    await page.goto(`/en/bezier/#${id}?${QUERY}&method=bezier`);
     const figure = await alive(page, `#${id} > curve-demo`);
     await expect.poll(async () => (await stateOf(figure)).t).toBe(0.25);
     return figure;
