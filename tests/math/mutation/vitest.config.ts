@@ -4,6 +4,7 @@ import { defineConfig } from "vitest/config";
 // without the ones that only measure.
 export default defineConfig({
   test: {
+    testTimeout: 120_000, // instrumented code is slow
     testNamePattern: /^(?!.*a million points)/,
     include: (process.env.MUTATION_TESTS ?? "tests/math/**/*.test.ts").split(","),
     env: { PROPERTY_RUNS: "25" },
