@@ -5,7 +5,12 @@ import { lessonPage } from "../../src/build/templates/lesson-page.ts";
 import { predict } from "../../src/build/templates/predict.ts";
 import { section } from "../../src/build/templates/section.ts";
 import { stateLink } from "../../src/build/templates/state-link.ts";
-import { BLOCK_KINDS, type FigureData, type Guess, type LessonPage } from "../../src/build/templates/types.ts";
+import {
+  BLOCK_KINDS,
+  type FigureData,
+  type Guess,
+  type LessonPage,
+} from "../../src/build/templates/types.ts";
 import { LANGS } from "../../src/words/words.ts";
 
 const data: FigureData = {
