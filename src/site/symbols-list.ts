@@ -95,9 +95,10 @@ function presentValue(tie: string | null, lang: Lang): string {
   if (!tie) return "";
   const { figure, name } = readTie(tie);
   const values: unknown = livingDemo(figure)?.values;
-  const value = name.split(".").reduce<unknown>((at, key) => {
+  const path = name.split(".");
+  const value = path.reduce<unknown>((at, key) => {
     // The points of a net are numbered in one row.
-    const inNet = Array.isArray(at) && Array.isArray(at[0]) && Array.isArray(at[0][0]);
+    const inNet = path.length === 2 && Array.isArray(at) && Array.isArray(at[0]) && Array.isArray(at[0][0]);
     return ((inNet ? at.flat() : at) as Record<string, unknown> | undefined)?.[key];
   }, values);
   if (typeof value === "number") return `= ${formatNumber(value, lang, 3)}`;

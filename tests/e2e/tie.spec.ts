@@ -317,6 +317,14 @@ test("keys: the button after a formula lists its symbols with meaning and value;
   await expect(list).toHaveCount(0);
   await expect(button).toBeFocused();
   expect(await asked()).toEqual([]);
+  // Where but numbers stand in the formula, the list says what they are.
+  await figure(page, "fig-construction");
+  await page.locator("#eq-live .symbols-button").focus();
+  await page.keyboard.press("Enter");
+  const numbers = page.getByRole("option");
+  await expect(numbers.nth(1)).toHaveAccessibleName(/^c 1: control point.*= \(0\.9, 2\.3\)/);
+  await expect(numbers.nth(2)).toHaveAccessibleName(/^b 0 1: point number.*= \(0\.36, 0\.92\)/);
+  await page.keyboard.press("Escape");
   // Within the formula, nothing takes the focus.
   expect(await page.locator(".formula:not([tabindex]) :is([tabindex], button, a)").count()).toBe(0);
 });
@@ -443,7 +451,9 @@ test.describe("predictions by keyboard", () => {
     await expect(block.locator(".commit")).toBeEnabled();
     await block.locator(".commit").focus();
     await page.keyboard.press("Enter");
-    await expect(block.locator(".result")).toHaveText(/^Right\. Your guess is 0\.\d+ units away/);
+    await expect(block.locator(".result")).toHaveText(/^Right\. Your guess is 0\.\d+ units away/, {
+      timeout: 15_000,
+    });
     expect((await stateOf(demo)).t).toBe(0.5);
   });
 });
