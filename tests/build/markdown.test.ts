@@ -72,7 +72,9 @@ describe("figures", () => {
 describe("links", () => {
   test("to a state are ordinary links to the figure", () => {
     const markup = html(`Siehe [[ganz *oben*]](demo:fig-a?t=1).\n\n${FIGURE}`);
-    expect(markup).toContain('<a class="state-link" href="#fig-a?t=1">ganz <em>oben</em><span class="unseen"> (in der Figur)</span></a>.');
+    expect(markup).toContain(
+      '<a class="state-link" href="#fig-a?t=1">ganz <em>oben</em><span class="unseen"> (in der Figur)</span></a>.',
+    );
   });
 
   test("to a named state say what it is, so that the address can be read anywhere", () => {
