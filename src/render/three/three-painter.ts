@@ -28,13 +28,14 @@ interface Kept {
 export function createThreePainter(changed: (painter: ThreePainter | null) => void): void {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 1;
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, depth: true });
+  const gl = canvas.getContext("webgl2", { antialias: false, alpha: true, depth: true });
   if (!gl) return;
   const renderer = new WebGLRenderer({ canvas, context: gl, alpha: true });
   renderer.setClearColor(0, 0);
   renderer.autoClear = false;
   const camera = new Camera();
   const figures = new Map<CanvasRenderingContext2D, Kept>();
+  const fineness = isSoftware(gl) ? 1 : FINE;
   let [width, height] = [1, 1];
 
   const paint = (
@@ -47,8 +48,9 @@ export function createThreePainter(changed: (painter: ThreePainter | null) => vo
     const [left, top] = [Math.floor(box.left * scale), Math.floor(box.top * scale)];
     const w = Math.ceil((box.left + box.width) * scale) - left;
     const h = Math.ceil((box.top + box.height) * scale) - top;
-    if (w > width || h > height) {
-      [width, height] = [Math.max(w, width), Math.max(h, height)];
+    const [fineW, fineH] = [w * fineness, h * fineness];
+    if (fineW > width || fineH > height) {
+      [width, height] = [Math.max(fineW, width), Math.max(fineH, height)];
       renderer.setSize(width, height, false);
     }
     const kept = keep(figures, context);
@@ -70,14 +72,14 @@ export function createThreePainter(changed: (painter: ThreePainter | null) => vo
       setColours(uniforms, palette, accent);
       uniforms.depthScale.value = 1 / (1e-9 + reach + Math.hypot(...space.target));
     }
-    renderer.setViewport(0, 0, w, h);
-    renderer.setScissor(0, 0, w, h);
+    renderer.setViewport(0, 0, fineW, fineH);
+    renderer.setScissor(0, 0, fineW, fineH);
     renderer.setScissorTest(true);
     renderer.clear();
     renderer.render(kept.scene, camera);
     context.save();
     context.setTransform(1, 0, 0, 1, 0, 0);
-    context.drawImage(canvas, 0, height - h, w, h, left, top, w, h);
+    context.drawImage(canvas, 0, height - fineH, fineW, fineH, left, top, w, h);
     context.restore();
   };
 
@@ -94,6 +96,16 @@ export function createThreePainter(changed: (painter: ThreePainter | null) => vo
   });
   canvas.addEventListener("webglcontextrestored", () => changed(painter));
   changed(painter);
+}
+
+/** Edges are smoothed by drawing so many times finer and copying smaller: stripes are smoothed as well as outlines. */
+const FINE = 2;
+
+/** Whether the processor does the work of a graphics card; then every pixel counts, and smooth motion comes first. */
+function isSoftware(gl: WebGL2RenderingContext): boolean {
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 function keep(figures: Map<CanvasRenderingContext2D, Kept>, context: CanvasRenderingContext2D): Kept {
