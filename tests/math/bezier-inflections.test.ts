@@ -85,6 +85,19 @@ test("a faint S has its inflection and a straight curve has none, at every size 
   }
 });
 
+test("a repeated control point does not make a bent curve straight", () => {
+  expect(
+    bezierInflections([
+      [0, 0],
+      [0, 0],
+      [1, 2],
+      [3, -2],
+      [4, 0],
+      [4, 0],
+    ]),
+  ).toHaveLength(1);
+});
+
 test("the curvature vanishes there and turns to the other side", () => {
   forAll([points(4, 6, 2)], (b) => {
     const curve = bezierCurve(b);
