@@ -48,10 +48,8 @@ for (const path of lessons) {
       font: "font",
     };
     const pending: Promise<void>[] = [];
-    let surfaces = false;
     page.on("response", (response) => {
       const kind = kinds[response.request().resourceType()];
-      if (response.url().includes("three")) surfaces = true;
       if (!kind) return;
       pending.push(
         response.body().then((body) => {
