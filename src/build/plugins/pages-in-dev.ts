@@ -57,7 +57,10 @@ async function answer(server: ViteDevServer, path: string): Promise<string | nul
   const page = site.pages.find((one) => one.path === path);
   if (!page) return null;
   stopAtProblems(site, page);
-  return server.transformIndexHtml(`/${path}`, site.render(page, ASSETS));
+  // Vite would parse the whole document for this one line.
+  return site
+    .render(page, ASSETS)
+    .replace("<head>", '<head>\n<script type="module" src="/@vite/client"></script>');
 }
 
 /** A lesson with problems is not shown; those of other lessons do not get into the way. */
