@@ -11,7 +11,11 @@ let sink = 0;
  * slows all of them; the medians of the rounds are compared.
  */
 export function measure(contenders: readonly Contender[], rounds = 41): Times {
-  for (const { run } of contenders) for (let k = 0; k < 3; k++) sink += run();
+  for (const { run } of contenders) {
+    // Until the compiler has made up its mind.
+    const start = performance.now();
+    for (let k = 0; k < 3 || (k < 500 && performance.now() - start < 200); k++) sink += run();
+  }
   const samples = contenders.map((): number[] => []);
   for (let round = 0; round < rounds; round++) {
     // Back and forth, since a contender finds warm what the one before it has touched.
